@@ -1,0 +1,19 @@
+# The installed package: find_package(pcl_rgbd_planes) and pkg-config.
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_rgbd_planes)
+configure_package_config_file(
+  cmake/pcl_rgbd_planesConfig.cmake.in ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfig.cmake
+  INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfig.cmake
+              ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfigVersion.cmake
+        DESTINATION ${config_dir})
+install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${config_dir})
+
+# PCL's pkg-config files carry its version in their names up to 1.12 and not from then on.
+file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/pcl_rgbd_planes.pc.in ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

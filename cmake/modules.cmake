@@ -1,0 +1,29 @@
+# Warnings for every target of this project, and the recipe of its library modules.
+
+add_library(pcl_rgbd_planes_warnings INTERFACE)
+target_compile_options(pcl_rgbd_planes_warnings INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wunused
+  $<$<BOOL:${PCL_RGBD_PLANES_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# pcl_rgbd_planes_add_module(NAME SOURCES... LINK targets...): the shared library
+# pcl_rgbd_planes_NAME with the alias pcl_rgbd_planes::NAME and headers under include/.
+function(pcl_rgbd_planes_add_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  set(target pcl_rgbd_planes_${name})
+  add_library(${target} SHARED ${arg_SOURCES})
+  add_library(pcl_rgbd_planes::${name} ALIAS ${target})
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} PUBLIC ${arg_LINK}
+                        PRIVATE $<BUILD_INTERFACE:pcl_rgbd_planes_warnings>)
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    CXX_EXTENSIONS OFF
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  install(TARGETS ${target} EXPORT pcl_rgbd_planesTargets
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/organized_view.h>
+#include <pcl/point_cloud.h>
+#include <pcl/type_traits.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The points of an organized cloud in place; the cloud must not be empty. */
+template <typename PointT>
+OrganizedPoints
+viewPoints (const pcl::PointCloud<PointT>& cloud)
+{
+  using namespace pcl::traits;
+  static_assert (offset<PointT, fields::y>::value ==
+                         offset<PointT, fields::x>::value + sizeof (float) &&
+                     offset<PointT, fields::z>::value ==
+                         offset<PointT, fields::x>::value + 2 * sizeof (float),
+                 "x, y and z must be floats next to each other");
+  static_assert (sizeof (PointT) % sizeof (float) == 0, "points must be whole floats");
+  return {&cloud.front ().x,
+          sizeof (PointT) / sizeof (float),
+          static_cast<int> (cloud.width),
+          static_cast<int> (cloud.height)};
+}
+
+/** \brief Whether every index is one of a cloud of \a size points. */
+inline bool
+indicesInside (const pcl::Indices& indices, std::size_t size)
+{
+  return std::all_of (indices.begin (), indices.end (), [size] (pcl::index_t index) {
+    return index >= 0 && static_cast<std::size_t> (index) < size;
+  });
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

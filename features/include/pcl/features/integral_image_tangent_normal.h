@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/feature.h>
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/tangent_normals.h>
+#include <pcl/point_types.h>
+
+namespace pcl {
+
+/** \brief Surface normals of organized clouds from tangents that are averaged with integral
+ * images (Holz, Holzer, Rusu, Behnke: Real-Time Plane Segmentation using RGB-D Cameras,
+ * 2011, section 3).
+ *
+ * A replacement for pcl::IntegralImageNormalEstimation: every valid point gets a normal,
+ * image borders included. Time is linear in the number of points and does not depend on the
+ * size of the smoothing area.
+ *
+ * \code
+ * pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+ * estimation.setInputCloud (cloud);
+ * estimation.compute (normals);
+ * \endcode
+ *
+ * Input: an organized cloud in any frame, in metres. Points with NaN, Inf or (0, 0, 0) are
+ * missing depth. Output: as many normals as points (width x height kept), or one for each
+ * index (N x 1) when indices are given; unit length, facing the viewpoint; NaN where the
+ * point is missing or has no surface around it, with \c is_dense false then. \c curvature
+ * is the ratio of the smallest eigenvalue to the sum of all (section 3) that a smooth patch
+ * of the same bend would have. Coordinates are copied where PointOutT has them.
+ *
+ * A null, empty or unorganized cloud, or an index outside of it: an error message and an
+ * empty output.
+ *
+ * \ingroup features
+ */
+template <typename PointInT, typename PointOutT>
+class PCL_RGBD_PLANES_EXPORTS IntegralImageTangentNormalEstimation
+: public Feature<PointInT, PointOutT> {
+  using Feature<PointInT, PointOutT>::feature_name_;
+  using Feature<PointInT, PointOutT>::indices_;
+  using Feature<PointInT, PointOutT>::input_;
+  using Feature<PointInT, PointOutT>::use_indices_;
+
+public:
+  using Ptr = shared_ptr<IntegralImageTangentNormalEstimation<PointInT, PointOutT>>;
+  using ConstPtr =
+      shared_ptr<const IntegralImageTangentNormalEstimation<PointInT, PointOutT>>;
+  using PointCloudIn = typename Feature<PointInT, PointOutT>::PointCloudIn;
+  using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
+
+  /** \brief What to do where the smoothing area leaves the image. */
+  enum BorderPolicy {
+    BORDER_POLICY_IGNORE, /**< these points get no normal */
+    BORDER_POLICY_MIRROR  /**< the part of the area inside the image is used (default) */
+  };
+
+  IntegralImageTangentNormalEstimation () { feature_name_ = "IntegralImageTangentNormalEstimation"; }
+
+  /** \brief Width and height of the smoothing area in pixels; default 12. Where the area
+   * grows with range, this is its size at 1 m.
+   * \param[in] normal_smoothing_size more than 0; other values are refused with an error
+   */
+  void
+  setNormalSmoothingSize (float normal_smoothing_size);
+
+  /** \brief A smoothing area of fixed size at every range: the paper's estimator. The same
+   * as setDepthDependentSmoothing (false) and a smoothing size for each direction.
+   * \param[in] width in pixels, more than 0
+   * \param[in] height in pixels, more than 0
+   */
+  void
+  setRectSize (int width, int height);
+
+  /** \brief Let the smoothing area grow with range^(2/3), up to 8 m; default true. */
+  void
+  setDepthDependentSmoothing (bool use_depth_dependent_smoothing)
+  {
+    parameters_.depth_dependent_smoothing = use_depth_dependent_smoothing;
+  }
+
+  /** \brief Neighbouring pixels whose ranges differ by more than
+   * 2 * factor * (range + 1 m) lie on different surfaces; default 0.02.
+   * \param[in] max_depth_change_factor 0 or more; other values are refused with an error
+   */
+  void
+  setMaxDepthChangeFactor (float max_depth_change_factor);
+
+  /** \brief What to do at image borders; default BORDER_POLICY_MIRROR. */
+  void
+  setBorderPolicy (BorderPolicy border_policy)
+  {
+    parameters_.ignore_border = border_policy == BORDER_POLICY_IGNORE;
+  }
+
+  /** \brief Where the sensor is, in the frame and unit of the points: normals face it, and
+   * ranges are distances from it. */
+  void
+  setViewPoint (float vpx, float vpy, float vpz)
+  {
+    parameters_.viewpoint = {{vpx, vpy, vpz}};
+    use_sensor_origin_ = false;
+  }
+
+  /** \brief The viewpoint in use: the one set, or else the sensor origin of the input, or
+   * else (0, 0, 0). */
+  void
+  getViewPoint (float& vpx, float& vpy, float& vpz) const;
+
+  /** \brief Take the sensor origin of the input cloud as the viewpoint (default). */
+  void
+  useSensorOriginAsViewPoint ()
+  {
+    use_sensor_origin_ = true;
+  }
+
+protected:
+  /** \brief Checks the input. The search structures of Feature are not needed. */
+  bool
+  initCompute () override;
+
+private:
+  void
+  computeFeature (PointCloudOut& output) override;
+
+  rgbd_planes::TangentNormalParameters parameters_;
+  bool use_sensor_origin_ = true;
+  rgbd_planes::TangentNormals tangent_normals_;
+  /** The normals of the whole cloud, where only some are asked for. */
+  pcl::PointCloud<pcl::Normal> all_normals_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/features/impl/integral_image_tangent_normal.hpp>
+#endif

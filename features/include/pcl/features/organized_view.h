@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The points of an organized cloud, read in place.
+ *
+ * Point (u, v), column u and row v of the image, is the three floats x, y, z at
+ * \a xyz + (v * width + u) * stride.
+ */
+struct OrganizedPoints {
+  const float* xyz = nullptr;
+  std::size_t stride = 0;
+  int width = 0;
+  int height = 0;
+
+  std::size_t
+  size () const
+  {
+    return static_cast<std::size_t> (width) * static_cast<std::size_t> (height);
+  }
+
+  const float*
+  operator[] (std::size_t index) const
+  {
+    return xyz + index * stride;
+  }
+};
+
+/** \brief The normals that belong to OrganizedPoints, read in place; \a curvature may be
+ * null. Normal i is the three floats at \a normal + i * stride. */
+struct OrganizedNormals {
+  const float* normal = nullptr;
+  const float* curvature = nullptr;
+  std::size_t stride = 0;
+};
+
+/** \brief Whether \a p is a measurement: NaN, Inf and (0, 0, 0) mean missing depth. */
+inline bool
+isMeasured (const float* p)
+{
+  return std::isfinite (p[0]) && std::isfinite (p[1]) && std::isfinite (p[2]) &&
+         (p[0] != 0.f || p[1] != 0.f || p[2] != 0.f);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
