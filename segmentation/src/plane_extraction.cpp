@@ -17,6 +17,8 @@ namespace {
 constexpr double min_cell_share = 1e-4;
 /** A cluster needs this share of min_inliers to become a candidate. */
 constexpr double min_candidate_share = 0.25;
+/** Planes are joined up to this share of the distance threshold, as rms. */
+constexpr double max_rms_share = 2. / 3.;
 
 double
 secondsSince (std::chrono::steady_clock::time_point& start)
@@ -89,10 +91,16 @@ PlaneExtraction::fitCandidates (const OrganizedPoints& points)
       });
   sumMoments (points, distance_clusters_.size(), Weights::inverse_variances);
   keepPlanes (1);
+  joinCoplanar();
+}
 
-  // The plane of a larger cluster explains a smaller one when the mean squared distance
-  // of its points, in variances of depth, is that of points on the plane.
-  const double max_variances = 0.25 * maxSigmas() * maxSigmas();
+/** Joins planes to the first larger one that explains them: the mean squared distance
+ * of their points to it, in variances of depth, is that of points on the plane. */
+void
+PlaneExtraction::joinCoplanar()
+{
+  const double max_variances =
+      max_rms_share * max_rms_share * maxSigmas() * maxSigmas();
   std::vector<std::uint32_t> joined (planes_.size());
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     joined[i] = static_cast<std::uint32_t> (i);
@@ -101,12 +109,15 @@ PlaneExtraction::fitCandidates (const OrganizedPoints& points)
           moments_[i].squaredDistances (planes_[larger]) <=
               max_variances * static_cast<double> (moments_[i].points)) {
         joined[i] = static_cast<std::uint32_t> (larger);
+        moments_[larger] += moments_[i];
+        moments_[i] = PlaneMoments{};
         break;
       }
   }
   for (std::uint32_t& label : labels_)
     if (label != unlabelled)
       label = joined[label];
+  keepPlanes (1);
 }
 
 void
@@ -125,6 +136,7 @@ PlaneExtraction::refine (const OrganizedPoints& points, const OrganizedNormals& 
     keepPlanes (parameters_.min_inliers);
   };
   assign (PlaneAssignment::Preference::first);
+  joinCoplanar();
   assign (PlaneAssignment::Preference::nearest);
   sumMoments (points, planes_.size(), Weights::ones);
 }

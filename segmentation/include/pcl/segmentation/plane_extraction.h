@@ -97,6 +97,9 @@ private:
   fitCandidates (const OrganizedPoints& points);
 
   void
+  joinCoplanar ();
+
+  void
   refine (const OrganizedPoints& points, const OrganizedNormals& normals);
 
   enum class Weights { ones, inverse_variances };

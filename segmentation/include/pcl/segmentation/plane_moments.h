@@ -46,6 +46,16 @@ struct PlaneMoments {
     ++points;
   }
 
+  PlaneMoments&
+  operator+= (const PlaneMoments& other)
+  {
+    weight += other.weight;
+    first += other.first;
+    second += other.second;
+    points += other.points;
+    return *this;
+  }
+
   Eigen::Vector3d
   mean () const
   {
