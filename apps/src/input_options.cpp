@@ -46,17 +46,6 @@ parseDepthScale (const std::string& text)
   return scale;
 }
 
-std::uint32_t
-parseResolution (const std::string& text)
-{
-  const std::map<std::string, std::uint32_t> steps{
-      {"vga", 1}, {"qvga", 2}, {"qqvga", 4}};
-  const auto step = steps.find (text);
-  if (step == steps.end())
-    throw AppError ("--resolution: '" + text + "' must be vga, qvga or qqvga");
-  return step->second;
-}
-
 } // namespace
 
 const char input_help[] =
@@ -100,6 +89,17 @@ readInputOptions (const std::string& input, const po::variables_map& values)
   if (values.count ("frames"))
     options.max_frames = parseCount ("--frames", values["frames"].as<std::string>());
   return options;
+}
+
+std::uint32_t
+parseResolution (const std::string& text)
+{
+  const std::map<std::string, std::uint32_t> steps{
+      {"vga", 1}, {"qvga", 2}, {"qqvga", 4}};
+  const auto step = steps.find (text);
+  if (step == steps.end())
+    throw AppError ("--resolution: '" + text + "' must be vga, qvga or qqvga");
+  return step->second;
 }
 
 unsigned

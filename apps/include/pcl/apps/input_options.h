@@ -27,6 +27,11 @@ readInputOptions (const std::string& input,
 unsigned
 parseCount (const std::string& option, const std::string& text);
 
+/** \brief The step between pixels for a value of --resolution; AppError where it is
+ * none. */
+std::uint32_t
+parseResolution (const std::string& text);
+
 /** \brief What --help says about INPUT. */
 extern const char input_help[];
 
