@@ -5,6 +5,7 @@
 
 #include <pcl/features/organized_view.h>
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/type_traits.h>
 
 #include <algorithm>
