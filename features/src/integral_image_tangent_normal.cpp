@@ -5,4 +5,4 @@
 #include <pcl/impl/instantiate.hpp>
 
 PCL_INSTANTIATE_PRODUCT (IntegralImageTangentNormalEstimation,
-                         (PCL_XYZ_POINT_TYPES) (PCL_NORMAL_POINT_TYPES))
+                         (PCL_XYZ_POINT_TYPES)(PCL_NORMAL_POINT_TYPES))

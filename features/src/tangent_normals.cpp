@@ -31,7 +31,8 @@ cross (const Vector& a, const Vector& b)
            a[0] * b[1] - a[1] * b[0]}};
 }
 
-/** The mean tangent of a sum of four lanes (x, y, z, number); its number must not be 0. */
+/** The mean tangent of a sum of four lanes (x, y, z, number); its number must not be 0.
+ */
 Vector
 meanTangent (const std::uint32_t* sums)
 {
@@ -42,8 +43,8 @@ meanTangent (const std::uint32_t* sums)
   return mean;
 }
 
-/** By how much the surface bends between two halves of a window, in radians: the change of
- * their mean tangents along the normal. */
+/** By how much the surface bends between two halves of a window, in radians: the change
+ * of their mean tangents along the normal. */
 float
 bend (const std::uint32_t* first,
       const std::uint32_t* second,
@@ -61,7 +62,7 @@ Sums
 window (const Sums* top, const Sums* bottom, int left, int right)
 {
   Sums sums;
-  for (std::size_t i = 0; i < sums.size (); ++i)
+  for (std::size_t i = 0; i < sums.size(); ++i)
     sums[i] = bottom[right][i] - bottom[left][i] - top[right][i] + top[left][i];
   return sums;
 }
@@ -71,7 +72,7 @@ Sums
 add (const Sums& a, const Sums& b)
 {
   Sums sums;
-  for (std::size_t i = 0; i < sums.size (); ++i)
+  for (std::size_t i = 0; i < sums.size(); ++i)
     sums[i] = a[i] + b[i];
   return sums;
 }
@@ -83,14 +84,14 @@ TangentNormals::compute (const OrganizedPoints& points,
                          const TangentNormalParameters& parameters,
                          const NormalOutput& output)
 {
-  if (points.size () == 0)
+  if (points.size() == 0)
     return 0;
   parameters_ = parameters;
   prepareWindows (points);
   std::fill_n (integralRow (0), ring_width_, Sums{});
   loadRow (points, 0, rows_[1]);
 
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN ();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   std::size_t valid = 0;
   int appended = 0;
   for (int v = 0; v < points.height; ++v) {
@@ -131,7 +132,7 @@ TangentNormals::prepareWindows (const OrganizedPoints& points)
         half (parameters_.smoothing_width * growth, points.width),
         half (parameters_.smoothing_height * growth, points.height)};
   }
-  max_half_size_ = half_sizes_.back ();
+  max_half_size_ = half_sizes_.back();
 
   const float area = (2.f * static_cast<float> (max_half_size_.u) + 1.f) *
                      (2.f * static_cast<float> (max_half_size_.v) + 1.f);
@@ -139,8 +140,7 @@ TangentNormals::prepareWindows (const OrganizedPoints& points)
   fixed_point_scale_ = static_cast<float> (1 << 30) / area;
 
   const std::size_t height = static_cast<std::size_t> (points.height) + 1;
-  ring_rows_ =
-      std::min (height, 2 * static_cast<std::size_t> (max_half_size_.v) + 2);
+  ring_rows_ = std::min (height, 2 * static_cast<std::size_t> (max_half_size_.v) + 2);
   ring_width_ = static_cast<std::size_t> (points.width) + 1;
   ring_.resize (ring_rows_ * ring_width_);
   for (auto& row : rows_)
@@ -153,7 +153,7 @@ TangentNormals::loadRow (const OrganizedPoints& points,
                          std::vector<RangedPoint>& row) const
 {
   const std::size_t begin = static_cast<std::size_t> (v) * points.width;
-  for (std::size_t u = 0; u < row.size (); ++u) {
+  for (std::size_t u = 0; u < row.size(); ++u) {
     const float* p = points[begin + u];
     Vector ray;
     for (std::size_t i = 0; i < 3; ++i)
@@ -210,11 +210,11 @@ TangentNormals::appendIntegralRow (int v, int width, int height)
       tangent (rows_[1][u > 0 ? i - 1 : i],
                at,
                rows_[1][u + 1 < width ? i + 1 : i],
-               row.data ());
+               row.data());
       tangent (v > 0 ? rows_[0][i] : at,
                at,
                v + 1 < height ? rows_[2][i] : at,
-               row.data () + 4);
+               row.data() + 4);
     }
     integral[u + 1] = add (above[u + 1], row);
   }
@@ -224,14 +224,14 @@ TangentNormals::HalfSize
 TangentNormals::halfSize (float range) const
 {
   const float bin =
-      std::min (range * bins_per_metre, static_cast<float> (half_sizes_.size () - 1));
+      std::min (range * bins_per_metre, static_cast<float> (half_sizes_.size() - 1));
   return half_sizes_[static_cast<std::size_t> (bin)];
 }
 
 TangentNormals::Sums*
 TangentNormals::integralRow (int v)
 {
-  return ring_.data () + static_cast<std::size_t> (v) % ring_rows_ * ring_width_;
+  return ring_.data() + static_cast<std::size_t> (v) % ring_rows_ * ring_width_;
 }
 
 bool
@@ -249,8 +249,10 @@ TangentNormals::normalAt (
     return false;
 
   const HalfSize half = halfSize (range);
-  const int left = std::max (u - half.u, 0), right = std::min (u + half.u + 1, points.width);
-  const int top = std::max (v - half.v, 0), bottom = std::min (v + half.v + 1, points.height);
+  const int left = std::max (u - half.u, 0),
+            right = std::min (u + half.u + 1, points.width);
+  const int top = std::max (v - half.v, 0),
+            bottom = std::min (v + half.v + 1, points.height);
   if (parameters_.ignore_border &&
       (right - left <= 2 * half.u || bottom - top <= 2 * half.v))
     return false;
@@ -269,12 +271,13 @@ TangentNormals::normalAt (
   if (all[3] == 0 || all[7] == 0)
     return false;
 
-  const Vector horizontal = meanTangent (all.data ());
-  const Vector vertical = meanTangent (all.data () + 4);
+  const Vector horizontal = meanTangent (all.data());
+  const Vector vertical = meanTangent (all.data() + 4);
   Vector n = cross (horizontal, vertical);
   const float length = std::sqrt (dot (n, n));
   // Tangents that are zero or parallel span no surface.
-  if (!(length > 1e-4f * std::sqrt (dot (horizontal, horizontal) * dot (vertical, vertical))))
+  if (!(length >
+        1e-4f * std::sqrt (dot (horizontal, horizontal) * dot (vertical, vertical))))
     return false;
   const float scale = dot (n, to_sensor) < 0.f ? -1.f / length : 1.f / length;
   for (std::size_t i = 0; i < 3; ++i)
@@ -282,10 +285,10 @@ TangentNormals::normalAt (
 
   const Sums lefts = add (upper_left, lower_left);
   const Sums rights = add (upper_right, lower_right);
-  const float bend_u = bend (lefts.data (), rights.data (), horizontal, n);
-  const float bend_v = bend (upper.data () + 4, lower.data () + 4, vertical, n);
-  // The smallest eigenvalue over the sum of all (section 3) of a square patch z = k x^2 / 2
-  // whose halves differ by this angle.
+  const float bend_u = bend (lefts.data(), rights.data(), horizontal, n);
+  const float bend_v = bend (upper.data() + 4, lower.data() + 4, vertical, n);
+  // The smallest eigenvalue over the sum of all (section 3) of a square patch z = k x^2
+  // / 2 whose halves differ by this angle.
   curvature = std::min ((bend_u * bend_u + bend_v * bend_v) / 30.f, 1.f / 3.f);
   return true;
 }

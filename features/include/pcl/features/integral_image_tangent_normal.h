@@ -10,13 +10,13 @@
 
 namespace pcl {
 
-/** \brief Surface normals of organized clouds from tangents that are averaged with integral
- * images (Holz, Holzer, Rusu, Behnke: Real-Time Plane Segmentation using RGB-D Cameras,
- * 2011, section 3).
+/** \brief Surface normals of organized clouds from tangents that are averaged with
+ * integral images (Holz, Holzer, Rusu, Behnke: Real-Time Plane Segmentation using RGB-D
+ * Cameras, 2011, section 3).
  *
- * A replacement for pcl::IntegralImageNormalEstimation: every valid point gets a normal,
- * image borders included. Time is linear in the number of points and does not depend on the
- * size of the smoothing area.
+ * A replacement for pcl::IntegralImageNormalEstimation: every valid point gets a
+ * normal, image borders included. Time is linear in the number of points and does not
+ * depend on the size of the smoothing area.
  *
  * \code
  * pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
@@ -24,15 +24,16 @@ namespace pcl {
  * estimation.compute (normals);
  * \endcode
  *
- * Input: an organized cloud in any frame, in metres. Points with NaN, Inf or (0, 0, 0) are
- * missing depth. Output: as many normals as points (width x height kept), or one for each
- * index (N x 1) when indices are given; unit length, facing the viewpoint; NaN where the
- * point is missing or has no surface around it, with \c is_dense false then. \c curvature
- * is the ratio of the smallest eigenvalue to the sum of all (section 3) that a smooth patch
- * of the same bend would have. Coordinates are copied where PointOutT has them.
+ * Input: an organized cloud in any frame, in metres. Points with NaN, Inf or (0, 0, 0)
+ * are missing depth. Output: as many normals as points (width x height kept), or one
+ * for each index (N x 1) when indices are given; unit length, facing the viewpoint; NaN
+ * where the point is missing or has no surface around it, with \c is_dense false then.
+ * \c curvature is the ratio of the smallest eigenvalue to the sum of all (section 3)
+ * that a smooth patch of the same bend would have. Coordinates are copied where
+ * PointOutT has them.
  *
- * A null, empty or unorganized cloud, or an index outside of it: an error message and an
- * empty output.
+ * A null, empty or unorganized cloud, or an index outside of it: an error message and
+ * an empty output.
  *
  * \ingroup features
  */
@@ -54,20 +55,23 @@ public:
   /** \brief What to do where the smoothing area leaves the image. */
   enum BorderPolicy {
     BORDER_POLICY_IGNORE, /**< these points get no normal */
-    BORDER_POLICY_MIRROR  /**< the part of the area inside the image is used (default) */
+    BORDER_POLICY_MIRROR /**< the part of the area inside the image is used (default) */
   };
 
-  IntegralImageTangentNormalEstimation () { feature_name_ = "IntegralImageTangentNormalEstimation"; }
+  IntegralImageTangentNormalEstimation()
+  {
+    feature_name_ = "IntegralImageTangentNormalEstimation";
+  }
 
-  /** \brief Width and height of the smoothing area in pixels; default 12. Where the area
-   * grows with range, this is its size at 1 m.
-   * \param[in] normal_smoothing_size more than 0; other values are refused with an error
+  /** \brief Width and height of the smoothing area in pixels; default 12. Where the
+   * area grows with range, this is its size at 1 m. \param[in] normal_smoothing_size
+   * more than 0; other values are refused with an error
    */
   void
   setNormalSmoothingSize (float normal_smoothing_size);
 
-  /** \brief A smoothing area of fixed size at every range: the paper's estimator. The same
-   * as setDepthDependentSmoothing (false) and a smoothing size for each direction.
+  /** \brief A smoothing area of fixed size at every range: the paper's estimator. The
+   * same as setDepthDependentSmoothing (false) and a smoothing size for each direction.
    * \param[in] width in pixels, more than 0
    * \param[in] height in pixels, more than 0
    */
@@ -83,7 +87,8 @@ public:
 
   /** \brief Neighbouring pixels whose ranges differ by more than
    * 2 * factor * (range + 1 m) lie on different surfaces; default 0.02.
-   * \param[in] max_depth_change_factor 0 or more; other values are refused with an error
+   * \param[in] max_depth_change_factor 0 or more; other values are refused with an
+   * error
    */
   void
   setMaxDepthChangeFactor (float max_depth_change_factor);
@@ -95,8 +100,8 @@ public:
     parameters_.ignore_border = border_policy == BORDER_POLICY_IGNORE;
   }
 
-  /** \brief Where the sensor is, in the frame and unit of the points: normals face it, and
-   * ranges are distances from it. */
+  /** \brief Where the sensor is, in the frame and unit of the points: normals face it,
+   * and ranges are distances from it. */
   void
   setViewPoint (float vpx, float vpy, float vpz)
   {
@@ -104,8 +109,8 @@ public:
     use_sensor_origin_ = false;
   }
 
-  /** \brief The viewpoint in use: the one set, or else the sensor origin of the input, or
-   * else (0, 0, 0). */
+  /** \brief The viewpoint in use: the one set, or else the sensor origin of the input,
+   * or else (0, 0, 0). */
   void
   getViewPoint (float& vpx, float& vpy, float& vpz) const;
 

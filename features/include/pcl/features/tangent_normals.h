@@ -15,16 +15,18 @@ namespace pcl {
 namespace rgbd_planes {
 
 struct TangentNormalParameters {
-  /** Size of the smoothing area in pixels; where it grows with range, its size at 1 m. */
+  /** Size of the smoothing area in pixels; where it grows with range, its size at 1 m.
+   */
   float smoothing_width = 12.f;
   float smoothing_height = 12.f;
   /** Let the area grow with range^(2/3) up to 8 m, which keeps the angular noise of a
    * structured-light sensor constant. */
   bool depth_dependent_smoothing = true;
-  /** Neighbouring pixels whose ranges differ by more than 2 * factor * (range + 1 m) lie
-   * on different surfaces: no tangent spans them. */
+  /** Neighbouring pixels whose ranges differ by more than 2 * factor * (range + 1 m)
+   * lie on different surfaces: no tangent spans them. */
   float max_depth_change_factor = 0.02f;
-  /** No normals where the smoothing area leaves the image, instead of cutting the area. */
+  /** No normals where the smoothing area leaves the image, instead of cutting the area.
+   */
   bool ignore_border = false;
   /** Where the sensor is, in the frame of the points; normals face it. */
   std::array<float, 3> viewpoint{{0.f, 0.f, 0.f}};
@@ -41,18 +43,17 @@ struct NormalOutput {
 /** \brief Normals from tangents averaged with integral images (Holz et al. 2011,
  * section 3).
  *
- * Each pixel has two tangents, from its left to its right neighbour and from its upper to
- * its lower one. They are divided by the range of the pixel, which makes the result
- * independent of the unit, and summed as fixed-point numbers: integral images of integers
- * are exact, for sums wrap around and differences of them do not. Only the rows that the
- * current windows need are kept.
+ * Each pixel has two tangents, from its left to its right neighbour and from its upper
+ * to its lower one. They are divided by the range of the pixel, which makes the result
+ * independent of the unit, and summed as fixed-point numbers: integral images of
+ * integers are exact, for sums wrap around and differences of them do not. Only the
+ * rows that the current windows need are kept.
  */
 class PCL_RGBD_PLANES_EXPORTS TangentNormals {
 public:
-  /** \brief Writes one normal for every point: of unit length, towards the viewpoint, with
-   * the curvature of the surface inside the smoothing area; NaN where the point is missing
-   * or no surface is around it.
-   * \return the number of normals that are not NaN
+  /** \brief Writes one normal for every point: of unit length, towards the viewpoint,
+   * with the curvature of the surface inside the smoothing area; NaN where the point is
+   * missing or no surface is around it. \return the number of normals that are not NaN
    */
   std::size_t
   compute (const OrganizedPoints& points,
@@ -60,7 +61,8 @@ public:
            const NormalOutput& output);
 
 private:
-  /** Sums of tangents: x, y, z and number of the horizontal ones, then the vertical ones.
+  /** Sums of tangents: x, y, z and number of the horizontal ones, then the vertical
+   * ones.
    */
   using Sums = std::array<std::uint32_t, 8>;
 
@@ -96,7 +98,8 @@ private:
   integralRow (int v);
 
   bool
-  normalAt (const OrganizedPoints& points, int u, int v, float* normal, float& curvature);
+  normalAt (
+      const OrganizedPoints& points, int u, int v, float* normal, float& curvature);
 
   TangentNormalParameters parameters_;
   /** Half-sizes of the smoothing area by range, in bins of bin_size_m. */

@@ -13,16 +13,18 @@
 #include <Eigen/Core>
 #include <Eigen/StdVector>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl {
 
-/** \brief All planes of an organized cloud, found by clustering its points in normal space
- * and then in distance space (Holz, Holzer, Rusu, Behnke: Real-Time Plane Segmentation
- * using RGB-D Cameras, 2011, section 4).
+/** \brief All planes of an organized cloud, found by clustering its points in normal
+ * space and then in distance space (Holz, Holzer, Rusu, Behnke: Real-Time Plane
+ * Segmentation using RGB-D Cameras, 2011, section 4).
  *
- * A replacement for pcl::OrganizedMultiPlaneSegmentation. A plane is one cluster however
- * many unconnected parts of it are visible.
+ * A replacement for pcl::OrganizedMultiPlaneSegmentation. A plane is one cluster
+ * however many unconnected parts of it are visible.
  *
  * \code
  * pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
@@ -31,16 +33,16 @@ namespace pcl {
  * segmentation.segment (model_coefficients, inlier_indices);
  * \endcode
  *
- * Input: an organized cloud in metres, in the camera frame (or any frame whose origin is
- * the sensor), and one normal for each point from any estimator. Points or normals with NaN
- * or Inf, and points (0, 0, 0), are left out. With indices, only these points are
- * segmented. Output: planes by decreasing number of points, with coefficients a, b, c, d
- * such that a x + b y + c z + d = 0, (a, b, c) of unit length and d >= 0, so that the normal
- * faces the sensor. Outputs are replaced, not appended to, and carry the header of the
- * input.
+ * Input: an organized cloud in metres, in the camera frame (or any frame whose origin
+ * is the sensor), and one normal for each point from any estimator. Points or normals
+ * with NaN or Inf, and points (0, 0, 0), are left out. With indices, only these points
+ * are segmented. Output: planes by decreasing number of points, with coefficients a, b,
+ * c, d such that a x + b y + c z + d = 0, (a, b, c) of unit length and d >= 0, so that
+ * the normal faces the sensor. Outputs are replaced, not appended to, and carry the
+ * header of the input.
  *
- * A null, empty or unorganized cloud, normals that are missing or of another size, or an
- * index outside of the cloud: an error message and empty outputs.
+ * A null, empty or unorganized cloud, normals that are missing or of another size, or
+ * an index outside of the cloud: an error message and empty outputs.
  *
  * \ingroup segmentation
  */
@@ -98,8 +100,8 @@ public:
     return parameters_.min_inliers;
   }
 
-  /** \brief Clusters whose mean normals differ by less are merged; radians, more than 0 and
-   * at most pi / 4. */
+  /** \brief Clusters whose mean normals differ by less are merged; radians, more than 0
+   * and at most pi / 4. */
   void
   setAngularThreshold (double angular_threshold);
 
@@ -109,8 +111,8 @@ public:
     return parameters_.angular_threshold;
   }
 
-  /** \brief How far from its plane a point may lie, in metres at a range of 1 m; grows with
-   * range as the noise of the sensor does, more than 0. */
+  /** \brief How far from its plane a point may lie, in metres at a range of 1 m; grows
+   * with range as the noise of the sensor does, more than 0. */
   void
   setDistanceThreshold (double distance_threshold);
 
@@ -120,7 +122,8 @@ public:
     return parameters_.distance_threshold;
   }
 
-  /** \brief Points with a larger curvature start no cluster, but may still join a plane. */
+  /** \brief Points with a larger curvature start no cluster, but may still join a
+   * plane. */
   void
   setMaximumCurvature (double maximum_curvature)
   {
@@ -144,8 +147,8 @@ public:
   /** \brief Finds all planes.
    * \param[out] model_coefficients a, b, c, d of each plane
    * \param[out] inlier_indices the points of each plane, in ascending order
-   * \param[out] centroids the mean of the points of each plane, with 1 as last component
-   * \param[out] covariances the covariance of the points of each plane
+   * \param[out] centroids the mean of the points of each plane, with 1 as last
+   * component \param[out] covariances the covariance of the points of each plane
    * \param[out] labels the plane of each point, or \ref unlabelled; size of the input
    * \param[out] label_indices the same as \a inlier_indices: one entry for each label
    */
@@ -161,7 +164,7 @@ public:
   const rgbd_planes::PlaneStageTimes&
   getStageTimes () const
   {
-    return plane_extraction_.stageTimes ();
+    return plane_extraction_.stageTimes();
   }
 
 protected:
@@ -186,6 +189,7 @@ private:
   PointCloudNConstPtr normals_;
   rgbd_planes::PlaneExtractionParameters parameters_;
   rgbd_planes::PlaneExtraction plane_extraction_;
+  std::vector<std::uint8_t> selected_;
 };
 
 } // namespace pcl

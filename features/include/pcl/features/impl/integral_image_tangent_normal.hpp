@@ -19,7 +19,7 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setNormalSmoothingSiz
   if (!(normal_smoothing_size > 0.f)) {
     PCL_ERROR ("[pcl::%s::setNormalSmoothingSize] The size must be more than 0 pixels, "
                "got %g. Keeping %g.\n",
-               feature_name_.c_str (),
+               feature_name_.c_str(),
                normal_smoothing_size,
                parameters_.smoothing_width);
     return;
@@ -33,11 +33,12 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setRectSize (int widt
                                                                         int height)
 {
   if (width <= 0 || height <= 0) {
-    PCL_ERROR ("[pcl::%s::setRectSize] Width and height must be more than 0 pixels, got %d "
-               "x %d. Nothing changed.\n",
-               feature_name_.c_str (),
-               width,
-               height);
+    PCL_ERROR (
+        "[pcl::%s::setRectSize] Width and height must be more than 0 pixels, got %d "
+        "x %d. Nothing changed.\n",
+        feature_name_.c_str(),
+        width,
+        height);
     return;
   }
   parameters_.smoothing_width = static_cast<float> (width);
@@ -51,11 +52,12 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setMaxDepthChangeFact
     float max_depth_change_factor)
 {
   if (!(max_depth_change_factor >= 0.f)) {
-    PCL_ERROR ("[pcl::%s::setMaxDepthChangeFactor] The factor must not be negative, got %g. "
-               "Keeping %g.\n",
-               feature_name_.c_str (),
-               max_depth_change_factor,
-               parameters_.max_depth_change_factor);
+    PCL_ERROR (
+        "[pcl::%s::setMaxDepthChangeFactor] The factor must not be negative, got %g. "
+        "Keeping %g.\n",
+        feature_name_.c_str(),
+        max_depth_change_factor,
+        parameters_.max_depth_change_factor);
     return;
   }
   parameters_.max_depth_change_factor = max_depth_change_factor;
@@ -63,14 +65,14 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setMaxDepthChangeFact
 
 template <typename PointInT, typename PointOutT>
 void
-IntegralImageTangentNormalEstimation<PointInT, PointOutT>::getViewPoint (float& vpx,
-                                                                         float& vpy,
-                                                                         float& vpz) const
+IntegralImageTangentNormalEstimation<PointInT, PointOutT>::getViewPoint (
+    float& vpx, float& vpy, float& vpz) const
 {
   std::array<float, 3> viewpoint = parameters_.viewpoint;
   if (use_sensor_origin_)
     for (int i = 0; i < 3; ++i)
-      viewpoint[static_cast<std::size_t> (i)] = input_ ? input_->sensor_origin_[i] : 0.f;
+      viewpoint[static_cast<std::size_t> (i)] =
+          input_ ? input_->sensor_origin_[i] : 0.f;
   vpx = viewpoint[0];
   vpy = viewpoint[1];
   vpz = viewpoint[2];
@@ -78,32 +80,25 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::getViewPoint (float& 
 
 template <typename PointInT, typename PointOutT>
 bool
-IntegralImageTangentNormalEstimation<PointInT, PointOutT>::initCompute ()
+IntegralImageTangentNormalEstimation<PointInT, PointOutT>::initCompute()
 {
-  const char* name = feature_name_.c_str ();
+  const char* name = feature_name_.c_str();
   if (!input_) {
     PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", name);
     return false;
   }
-  if (!input_->isOrganized () || input_->empty () ||
-      input_->size () != static_cast<std::size_t> (input_->width) * input_->height) {
-    PCL_ERROR ("[pcl::%s] The input has %u x %u points and %zu in all, but it must be an "
-               "organized cloud (an image of points). Ask your camera driver for ordered "
-               "point clouds, and keep NaN points: filters that remove points also remove "
-               "the organization.\n",
-               name,
-               input_->width,
-               input_->height,
-               input_->size ());
+  if (!rgbd_planes::isImage (*input_)) {
+    PCL_ERROR ("[pcl::%s] %s\n", name, rgbd_planes::notAnImage (*input_).c_str());
     return false;
   }
-  if (!PCLBase<PointInT>::initCompute ())
+  if (!PCLBase<PointInT>::initCompute())
     return false;
-  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size ())) {
-    PCL_ERROR ("[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
-               "%zu.\n",
-               name,
-               input_->size () - 1);
+  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
+    PCL_ERROR (
+        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
+        "%zu.\n",
+        name,
+        input_->size() - 1);
     return false;
   }
   return true;
@@ -122,7 +117,7 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeFeature (
   const rgbd_planes::OrganizedPoints points = rgbd_planes::viewPoints (*input_);
   const auto compute = [&] (auto& cloud) {
     using PointT = typename std::decay_t<decltype (cloud)>::PointType;
-    auto& first = cloud.front ();
+    auto& first = cloud.front();
     return tangent_normals_.compute (
         points,
         parameters_,
@@ -132,10 +127,10 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeFeature (
   if (use_indices_) {
     all_normals_.resize (input_->width, input_->height);
     compute (all_normals_);
-    output.width = static_cast<std::uint32_t> (indices_->size ());
+    output.width = static_cast<std::uint32_t> (indices_->size());
     output.height = 1;
     output.is_dense = true;
-    for (std::size_t i = 0; i < indices_->size (); ++i) {
+    for (std::size_t i = 0; i < indices_->size(); ++i) {
       const pcl::Normal& normal = all_normals_[(*indices_)[i]];
       output[i].normal_x = normal.normal_x;
       output[i].normal_y = normal.normal_y;
@@ -145,16 +140,16 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeFeature (
     }
   }
   else {
-    output.is_dense = compute (output) == output.size ();
+    output.is_dense = compute (output) == output.size();
   }
 
   if constexpr (pcl::traits::has_xyz<PointOutT>::value)
-    for (std::size_t i = 0; i < output.size (); ++i)
-      output[i].getVector3fMap () = (*input_)[(*indices_)[i]].getVector3fMap ();
+    for (std::size_t i = 0; i < output.size(); ++i)
+      output[i].getVector3fMap() = (*input_)[(*indices_)[i]].getVector3fMap();
 }
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_IntegralImageTangentNormalEstimation(PointInT, PointOutT)         \
-  template class PCL_RGBD_PLANES_EXPORTS                                                  \
+#define PCL_INSTANTIATE_IntegralImageTangentNormalEstimation(PointInT, PointOutT)      \
+  template class PCL_RGBD_PLANES_EXPORTS                                               \
       pcl::IntegralImageTangentNormalEstimation<PointInT, PointOutT>;

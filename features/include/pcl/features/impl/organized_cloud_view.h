@@ -9,6 +9,7 @@
 #include <pcl/type_traits.h>
 
 #include <algorithm>
+#include <string>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -25,17 +26,40 @@ viewPoints (const pcl::PointCloud<PointT>& cloud)
                          offset<PointT, fields::x>::value + 2 * sizeof (float),
                  "x, y and z must be floats next to each other");
   static_assert (sizeof (PointT) % sizeof (float) == 0, "points must be whole floats");
-  return {&cloud.front ().x,
+  return {&cloud.front().x,
           sizeof (PointT) / sizeof (float),
           static_cast<int> (cloud.width),
           static_cast<int> (cloud.height)};
+}
+
+/** \brief Whether \a cloud is an image of points, and holds all of them. */
+template <typename PointT>
+bool
+isImage (const pcl::PointCloud<PointT>& cloud)
+{
+  return cloud.isOrganized() && !cloud.empty() &&
+         cloud.size() == std::size_t{cloud.width} * cloud.height;
+}
+
+/** \brief What to tell a user whose \a cloud is no image. */
+template <typename PointT>
+std::string
+notAnImage (const pcl::PointCloud<PointT>& cloud)
+{
+  return "The input cloud has " + std::to_string (cloud.size()) + " points, width " +
+         std::to_string (cloud.width) + " and height " + std::to_string (cloud.height) +
+         ", but must be organized (an image of points): ask your camera driver for "
+         "ordered "
+         "point clouds, and keep NaN points, for filters that remove points also "
+         "remove "
+         "the organization.";
 }
 
 /** \brief Whether every index is one of a cloud of \a size points. */
 inline bool
 indicesInside (const pcl::Indices& indices, std::size_t size)
 {
-  return std::all_of (indices.begin (), indices.end (), [size] (pcl::index_t index) {
+  return std::all_of (indices.begin(), indices.end(), [size] (pcl::index_t index) {
     return index >= 0 && static_cast<std::size_t> (index) < size;
   });
 }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Merges neighbouring clusters, best merges first, and keeps track of the
+ * merges (Holz et al. 2011, section 4.1).
+ *
+ * A cluster that was merged is represented by the cluster that it became part of.
+ * Whether a + b or a + c is the better merge is decided by the distances of the
+ * clusters as they are at that moment, not as they were before other merges.
+ *
+ * \tparam Cluster has operator+= and is empty when default-constructed
+ */
+template <typename Cluster>
+class ClusterMerging {
+public:
+  /** \brief Starts anew with these clusters, none merged. */
+  void
+  reset (std::vector<Cluster>&& clusters)
+  {
+    clusters_ = std::move (clusters);
+    parents_.resize (clusters_.size());
+    std::iota (parents_.begin(), parents_.end(), std::size_t{0});
+    queue_ = {};
+  }
+
+  /** \brief Says that clusters \a a and \a b are neighbours, so that they may merge. */
+  void
+  addNeighbours (std::size_t a, std::size_t b)
+  {
+    queue_.push ({0.f, a, b});
+  }
+
+  /** \brief Merges neighbours while the smallest of their distances is at most
+   * \a max_distance.
+   * \param[in] distance distance (const Cluster&, const Cluster&), a float
+   */
+  template <typename Distance>
+  void
+  merge (float max_distance, const Distance& distance)
+  {
+    while (!queue_.empty()) {
+      Candidate candidate = queue_.top();
+      queue_.pop();
+      const std::size_t a = find (candidate.a), b = find (candidate.b);
+      if (a == b)
+        continue;
+      const float now = distance (clusters_[a], clusters_[b]);
+      if (!(now <= max_distance))
+        continue;
+      if (now > candidate.distance) { // either was merged since: wait for its turn
+        queue_.push ({now, a, b});
+        continue;
+      }
+      clusters_[a] += clusters_[b];
+      clusters_[b] = Cluster{};
+      parents_[b] = a;
+    }
+  }
+
+  /** \brief The cluster that \a cluster is part of. */
+  std::size_t
+  find (std::size_t cluster)
+  {
+    while (parents_[cluster] != cluster) {
+      parents_[cluster] = parents_[parents_[cluster]];
+      cluster = parents_[cluster];
+    }
+    return cluster;
+  }
+
+  const Cluster&
+  operator[] (std::size_t cluster) const
+  {
+    return clusters_[cluster];
+  }
+
+private:
+  struct Candidate {
+    float distance;
+    std::size_t a;
+    std::size_t b;
+
+    /** The top of the queue is the nearest pair; ties are broken by number, so that
+     * results do not depend on the order of insertion. */
+    bool
+    operator<(const Candidate& other) const
+    {
+      if (distance != other.distance)
+        return distance > other.distance;
+      return std::make_pair (a, b) > std::make_pair (other.a, other.b);
+    }
+  };
+
+  std::vector<Cluster> clusters_;
+  std::vector<std::size_t> parents_;
+  std::priority_queue<Candidate> queue_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl
