@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Something only the user can put right. The message is one line: what is
+ * wrong, with the name of the file or option, and what to do. */
+class AppError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief Runs the body of an application.
+ * \param[in] name of the application, put before the message of an error
+ * \return the exit code: 0, or 1 after an exception, which is told in one line on
+ * stderr
+ */
+int
+runApp (const std::string& name, const std::function<void()>& body);
+
+} // namespace rgbd_planes
+} // namespace pcl

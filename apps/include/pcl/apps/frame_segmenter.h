@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/frame_source.h>
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Run times in milliseconds. */
+struct StageTimes {
+  double normals = 0.;
+  double normal_space = 0.;
+  double distance_space = 0.;
+  double refinement = 0.;
+  /** All of the above and what lies between them; not reading and writing of files. */
+  double total = 0.;
+};
+
+struct PlaneSummary {
+  /** a x + b y + c z + d = 0 in the camera frame, metres, facing the camera: d >= 0 is
+   * the distance of the camera from the plane. */
+  std::array<double, 4> coefficients;
+  std::size_t points = 0;
+  /** Root mean square distance of the points from the plane, metres. */
+  double rms = 0.;
+};
+
+/** \brief What is known of a frame after it was segmented, without its points. */
+struct FrameSummary {
+  std::string name;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::size_t measured_points = 0;
+  std::size_t labelled_points = 0;
+  unsigned min_inliers = 0;
+  StageTimes times;
+  /** By decreasing number of points; the index is the id of the plane. */
+  std::vector<PlaneSummary> planes;
+};
+
+/** \brief Finds the planes of one frame after the other. */
+class FrameSegmenter {
+public:
+  /** \param[in] min_inliers planes with fewer points are dropped; by default 1000 for
+   * 640 x 480 pixels and in proportion for other sizes */
+  explicit FrameSegmenter (std::optional<unsigned> min_inliers);
+
+  FrameSummary
+  segment (const Frame& frame);
+
+  /** \brief The normals of the last frame; NaN where there is none. */
+  const pcl::PointCloud<pcl::Normal>&
+  normals () const
+  {
+    return *normals_;
+  }
+
+  /** \brief The plane of each point of the last frame, or \ref unlabelled. */
+  const pcl::PointCloud<pcl::Label>&
+  labels () const
+  {
+    return labels_;
+  }
+
+private:
+  std::optional<unsigned> min_inliers_;
+  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZRGB, pcl::Normal> estimation_;
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZRGB, pcl::Normal> segmentation_;
+  pcl::PointCloud<pcl::Normal>::Ptr normals_;
+  pcl::PointCloud<pcl::Label> labels_;
+  std::vector<pcl::ModelCoefficients> coefficients_;
+  std::vector<pcl::PointIndices> inliers_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

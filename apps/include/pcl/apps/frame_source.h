@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/depth_image.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief What the user said about the input of an application. */
+struct InputOptions {
+  /** A .pcd file, a folder of them, a 16-bit depth .png, a folder of them, a TUM RGB-D
+   * folder (it has a depth.txt), or sim:SCENE[:SEED]. */
+  std::string input;
+  /** Needed for depth images, but for TUM RGB-D folders with frames of 640 x 480. */
+  std::optional<Intrinsics> intrinsics;
+  /** What a depth image holds at 1 m; TUM RGB-D folders have 5000 unless told
+   * otherwise. */
+  std::optional<float> units_per_metre;
+  /** Every step-th pixel is taken: from VGA, 1 gives VGA, 2 QVGA and 4 QQVGA. */
+  std::uint32_t step = 1;
+  std::size_t max_frames = std::numeric_limits<std::size_t>::max();
+};
+
+struct Frame {
+  /** Can be (the start of) a file name; no two frames of a source share one. */
+  std::string name;
+  /** Organized, in the camera frame (x right, y down, z forward), metres; NaN where
+   * depth is missing, black where colour is unknown. */
+  pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud;
+};
+
+/** \brief The frames of an INPUT, each read when it is asked for. Throws AppError where
+ * the input, an option or a frame is not as it should be. */
+class FrameSource {
+public:
+  explicit FrameSource (const InputOptions& options);
+
+  /** \brief At least 1. */
+  std::size_t
+  size () const
+  {
+    return frames_.size();
+  }
+
+  /** \brief Reads frame \a i, 0 <= i < size(). Files of a folder come in the natural
+   * order of their names (2.png before 10.png), those of a TUM RGB-D folder as listed.
+   */
+  Frame
+  read (std::size_t i) const;
+
+private:
+  using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
+
+  struct StoredFrame {
+    std::string name;
+    std::function<Cloud::Ptr()> read;
+  };
+
+  void
+  addSimulated (const std::string& scene_and_seed);
+
+  void
+  addFolder (const std::filesystem::path& folder);
+
+  void
+  addTumFolder (const std::filesystem::path& folder);
+
+  void
+  addFile (const std::filesystem::path& file);
+
+  InputOptions options_;
+  std::vector<StoredFrame> frames_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

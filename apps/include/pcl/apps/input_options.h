@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/frame_source.h>
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief --intrinsics, --depth-scale, --resolution and --frames, the same in all
+ * applications. */
+boost::program_options::options_description
+inputOptionsDescription ();
+
+/** \brief What the values of inputOptionsDescription() say about \a input; AppError
+ * where one of them is malformed or out of range. */
+InputOptions
+readInputOptions (const std::string& input,
+                  const boost::program_options::variables_map& values);
+
+/** \brief The value of an option that counts something: a whole number of 1 or more;
+ * AppError otherwise. */
+unsigned
+parseCount (const std::string& option, const std::string& text);
+
+/** \brief What --help says about INPUT. */
+extern const char input_help[];
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Files that appear all together or not at all.
+ *
+ * Each is written under a temporary name beside its place, and renamed by commit().
+ * Without commit(), the destructor removes them and the folders created for them.
+ * Nothing that was there before is touched until commit(). Errors are AppErrors.
+ */
+class OutputFiles {
+public:
+  OutputFiles() = default;
+  OutputFiles (const OutputFiles&) = delete;
+  OutputFiles&
+  operator= (const OutputFiles&) = delete;
+  ~OutputFiles();
+
+  /** \brief Creates \a folder, and those above it, where missing. */
+  void
+  createFolder (const std::filesystem::path& folder);
+
+  /** \brief Writes a file, or replaces what was written for it before. Its folder must
+   * exist. */
+  void
+  write (const std::filesystem::path& file, const std::string& contents);
+
+  /** \brief Puts the files in place, those that were written first last. */
+  void
+  commit ();
+
+private:
+  struct File {
+    std::filesystem::path path;
+    std::filesystem::path temporary;
+  };
+
+  const File&
+  find (const std::filesystem::path& name);
+
+  std::vector<File> files_;
+  std::vector<std::filesystem::path> created_folders_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

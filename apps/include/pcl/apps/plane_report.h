@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/frame_segmenter.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief What to call the kind of a plane (floor, wall, ...). Which way is up, and
+ * with it the kind, cannot be told from a frame in the camera frame. */
+constexpr char unknown_class[] = "unknown";
+
+/** \brief Prints the planes of a frame, one a line. */
+void
+printPlanes (std::ostream& out, const FrameSummary& frame);
+
+/** \brief Prints minimum, median and maximum over the frames of the time of each stage.
+ */
+void
+printStageTimes (std::ostream& out, const std::vector<FrameSummary>& frames);
+
+/** \brief planes.csv: a header and a line for each plane of each frame. Distances in
+ * metres. */
+std::string
+planesCsv (const std::vector<FrameSummary>& frames);
+
+/** \brief result.json: the input with what was set, the stage times, and the planes of
+ * each frame. Units are in the names. */
+std::string
+resultJson (const InputOptions& options, const std::vector<FrameSummary>& frames);
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace pcl {
+namespace rgbd_planes {
+
+int
+runApp (const std::string& name, const std::function<void()>& body)
+{
+  std::string message;
+  try {
+    body();
+    if (std::cout.flush())
+      return 0;
+    message = "cannot write to standard output";
+  }
+  catch (const std::bad_alloc&) {
+    message = "not enough memory for this input";
+  }
+  catch (const std::exception& error) {
+    message = error.what();
+  }
+  // A file name may hold line breaks.
+  std::replace (message.begin(), message.end(), '\n', ' ');
+  std::cerr << name << ": " << message << std::endl;
+  return 1;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

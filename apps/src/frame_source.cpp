@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/frame_source.h>
+#include <pcl/apps/organized_pcd.h>
+#include <pcl/apps/parse_number.h>
+#include <pcl/simulation/simulate.h>
+#include <pcl/simulation/subsample.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr char simulated[] = "sim:";
+constexpr char live[] = "live:";
+
+bool
+startsWith (const std::string& text, const std::string& start)
+{
+  return text.compare (0, start.size(), start) == 0;
+}
+
+bool
+isDigit (char c)
+{
+  return c >= '0' && c <= '9';
+}
+
+/** Compares names with their numbers by value, so that 2.png comes before 10.png. */
+bool
+naturalLess (const fs::path& path_a, const fs::path& path_b)
+{
+  const std::string a = path_a.filename(), b = path_b.filename();
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!isDigit (a[i]) || !isDigit (b[j])) {
+      if (a[i] != b[j])
+        return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto number = [] (const std::string& text, std::size_t& at) {
+      const auto begin = std::min (text.find_first_not_of ('0', at), text.size());
+      at = begin;
+      while (at < text.size() && isDigit (text[at]))
+        ++at;
+      return text.substr (begin, at - begin);
+    };
+    const std::string x = number (a, i), y = number (b, j);
+    if (x != y)
+      return x.size() != y.size() ? x.size() < y.size() : x < y;
+  }
+  const std::size_t left_a = a.size() - i, left_b = b.size() - j;
+  return left_a != left_b ? left_a < left_b : a < b;
+}
+
+std::vector<fs::path>
+filesWithExtension (const fs::path& folder, const std::string& extension)
+{
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator (folder))
+    if (entry.path().extension() == extension && !entry.is_directory() &&
+        !startsWith (entry.path().filename(), "."))
+      files.push_back (entry.path());
+  std::sort (files.begin(), files.end(), naturalLess);
+  return files;
+}
+
+struct DepthCamera {
+  Intrinsics intrinsics;
+  float units_per_metre;
+  /** The intrinsics are a guess that holds for 640 x 480 only. */
+  bool guessed;
+};
+
+pcl::PointCloud<pcl::PointXYZRGB>::Ptr
+readDepthImage (const fs::path& file, const DepthCamera& camera)
+{
+  const DepthImage image = readDepthPng (file);
+  if (camera.guessed && (image.width != 640 || image.height != 480))
+    throw AppError (
+        file.string() + ": has " + std::to_string (image.width) + " x " +
+        std::to_string (image.height) +
+        " pixels, for which no camera is known: add --intrinsics fx,fy,cx,cy");
+  return toCloud (image, camera.intrinsics, camera.units_per_metre);
+}
+
+void
+refuseDepthOptions (const InputOptions& options, const std::string& input)
+{
+  if (options.intrinsics || options.units_per_metre)
+    throw AppError (input +
+                    ": --intrinsics and --depth-scale are for depth images; leave "
+                    "them out");
+}
+
+} // namespace
+
+FrameSource::FrameSource (const InputOptions& options) : options_ (options)
+{
+  const std::string& input = options_.input;
+  if (startsWith (input, simulated))
+    addSimulated (input.substr (sizeof (simulated) - 1));
+  else if (startsWith (input, live))
+    throw AppError (input +
+                    ": live cameras are not supported; record .pcd files and give "
+                    "their folder");
+  else if (fs::is_directory (input))
+    addFolder (input);
+  else if (fs::exists (input))
+    addFile (input);
+  else
+    throw AppError (input +
+                    ": no such file or folder; INPUT is a .pcd file, a depth .png, "
+                    "a folder of either, a TUM RGB-D folder or sim:SCENE[:SEED]");
+
+  std::set<std::string> names;
+  for (const auto& frame : frames_)
+    if (!names.insert (frame.name).second)
+      throw AppError (input + ": more than one frame is named '" + frame.name +
+                      "'; give each its own name");
+  frames_.resize (std::min (frames_.size(), options_.max_frames));
+}
+
+Frame
+FrameSource::read (std::size_t i) const
+{
+  const StoredFrame& stored = frames_[i];
+  Frame frame{stored.name, stored.read()};
+  if (options_.step == 1)
+    return frame;
+  *frame.cloud = subsample (*frame.cloud, options_.step);
+  if (frame.cloud->width < 2 || frame.cloud->height < 2)
+    throw AppError (options_.input + ": frame " + frame.name +
+                    " is too small for this --resolution; use --resolution vga");
+  return frame;
+}
+
+void
+FrameSource::addSimulated (const std::string& scene_and_seed)
+{
+  const auto colon = std::min (scene_and_seed.find (':'), scene_and_seed.size());
+  const std::string scene = scene_and_seed.substr (0, colon);
+  const std::string seed_text =
+      colon < scene_and_seed.size() ? scene_and_seed.substr (colon + 1) : "1";
+  const auto& names = sceneNames();
+  if (std::find (names.begin(), names.end(), scene) == names.end()) {
+    std::string known;
+    for (const auto& name : names)
+      known += (known.empty() ? "" : ", ") + name;
+    throw AppError (options_.input + ": unknown scene '" + scene + "'; known are " +
+                    known);
+  }
+  const auto seed = parseNumber<unsigned> (options_.input + ": the seed", seed_text);
+  refuseDepthOptions (options_, options_.input);
+  frames_.push_back ({scene + '_' + std::to_string (seed), [scene, seed] {
+                        return simulate (scene, seed, Sensor::kinect).cloud;
+                      }});
+}
+
+void
+FrameSource::addFolder (const fs::path& folder)
+{
+  if (fs::exists (folder / "depth.txt"))
+    return addTumFolder (folder);
+  auto files = filesWithExtension (folder, ".pcd");
+  if (files.empty())
+    files = filesWithExtension (folder, ".png");
+  if (files.empty())
+    throw AppError (folder.string() +
+                    ": no .pcd, no .png and no depth.txt in this folder" +
+                    (fs::is_directory (folder / "depth")
+                         ? "; did you mean " + (folder / "depth").string() + "?"
+                         : "; give the folder that holds the frames"));
+  for (const auto& file : files)
+    addFile (file);
+}
+
+void
+FrameSource::addTumFolder (const fs::path& folder)
+{
+  const fs::path list = folder / "depth.txt";
+  std::ifstream stream (list);
+  bool freiburg3 = false;
+  std::vector<fs::path> files;
+  std::string line, timestamp, file;
+  for (int number = 1; std::getline (stream, line); ++number) {
+    std::istringstream words (line);
+    if (!(words >> timestamp))
+      continue;
+    if (timestamp[0] == '#')
+      freiburg3 = freiburg3 || line.find ("freiburg3") != std::string::npos;
+    else if (words >> file)
+      files.push_back (folder / file);
+    else
+      throw AppError (list.string() + ": line " + std::to_string (number) +
+                      " is not 'timestamp filename'");
+  }
+  if (files.empty())
+    throw AppError (list.string() + ": lists no depth image");
+
+  // The calibrations the benchmark recommends for its registered depth images.
+  const Intrinsics tum_camera = freiburg3 ? Intrinsics{535.4f, 539.2f, 320.1f, 247.6f}
+                                          : Intrinsics{525.f, 525.f, 319.5f, 239.5f};
+  const DepthCamera camera{options_.intrinsics.value_or (tum_camera),
+                           options_.units_per_metre.value_or (5000.f),
+                           !options_.intrinsics};
+  for (const auto& path : files)
+    frames_.push_back ({path.stem(), [=] { return readDepthImage (path, camera); }});
+}
+
+void
+FrameSource::addFile (const fs::path& file)
+{
+  const auto extension = file.extension();
+  if (extension == ".pcd") {
+    refuseDepthOptions (options_, file);
+    frames_.push_back ({file.stem(), [file] { return readOrganizedPcd (file); }});
+    return;
+  }
+  if (extension != ".png")
+    throw AppError (file.string() + ": neither a .pcd nor a .png file");
+  if (!options_.intrinsics)
+    throw AppError (file.string() +
+                    ": a depth image needs its camera: add --intrinsics "
+                    "fx,fy,cx,cy (pixels)");
+  if (!options_.units_per_metre)
+    throw AppError (file.string() + ": a depth image needs its unit: add --depth-scale "
+                                    "UNITS_PER_M (1000 for millimetres)");
+  const DepthCamera camera{*options_.intrinsics, *options_.units_per_metre, false};
+  frames_.push_back ({file.stem(), [=] { return readDepthImage (file, camera); }});
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

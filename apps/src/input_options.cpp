@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/parse_number.h>
+
+#include <boost/program_options/value_semantic.hpp>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace po = boost::program_options;
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+Intrinsics
+parseIntrinsics (const std::string& text)
+{
+  std::vector<float> values;
+  std::istringstream stream (text + ',');
+  for (std::string value; std::getline (stream, value, ',');)
+    values.push_back (parseNumber<float> ("--intrinsics: a value", value));
+  if (values.size() != 4)
+    throw AppError ("--intrinsics: '" + text + "' must be four numbers, fx,fy,cx,cy");
+  for (const float value : values)
+    if (!std::isfinite (value))
+      throw AppError ("--intrinsics: '" + text + "' must be finite numbers");
+  if (values[0] <= 0.f || values[1] <= 0.f)
+    throw AppError ("--intrinsics: the focal lengths in '" + text +
+                    "' must be more than 0 pixels");
+  return {values[0], values[1], values[2], values[3]};
+}
+
+float
+parseDepthScale (const std::string& text)
+{
+  const float scale = parseNumber<float> ("--depth-scale", text);
+  if (!std::isfinite (scale) || scale <= 0.f)
+    throw AppError ("--depth-scale: '" + text +
+                    "' must be more than 0 units per metre");
+  return scale;
+}
+
+std::uint32_t
+parseResolution (const std::string& text)
+{
+  const std::map<std::string, std::uint32_t> steps{
+      {"vga", 1}, {"qvga", 2}, {"qqvga", 4}};
+  const auto step = steps.find (text);
+  if (step == steps.end())
+    throw AppError ("--resolution: '" + text + "' must be vga, qvga or qqvga");
+  return step->second;
+}
+
+} // namespace
+
+const char input_help[] =
+    "INPUT is one of\n"
+    "  FILE.pcd             an organized cloud\n"
+    "  FILE.png             a 16-bit depth image, with --intrinsics and --depth-scale\n"
+    "  FOLDER               of .pcd files (or else of depth images)\n"
+    "  FOLDER               of a TUM RGB-D recording (it has a depth.txt)\n"
+    "  sim:SCENE[:SEED]     a simulated frame, such as sim:table_single; SEED is 1 or "
+    "what "
+    "you say\n";
+
+po::options_description
+inputOptionsDescription ()
+{
+  po::options_description description ("Input");
+  description.add_options() (
+      "intrinsics",
+      po::value<std::string>()->value_name ("fx,fy,cx,cy"),
+      "camera of depth images, in pixels; TUM RGB-D folders have a default") (
+      "depth-scale",
+      po::value<std::string>()->value_name ("UNITS_PER_M"),
+      "what depth images hold at 1 m; 5000 for TUM RGB-D folders") (
+      "resolution",
+      po::value<std::string>()->value_name ("vga|qvga|qqvga")->default_value ("vga"),
+      "take every 1st, 2nd or 4th pixel") (
+      "frames", po::value<std::string>()->value_name ("N"), "stop after N frames");
+  return description;
+}
+
+InputOptions
+readInputOptions (const std::string& input, const po::variables_map& values)
+{
+  InputOptions options;
+  options.input = input;
+  if (values.count ("intrinsics"))
+    options.intrinsics = parseIntrinsics (values["intrinsics"].as<std::string>());
+  if (values.count ("depth-scale"))
+    options.units_per_metre = parseDepthScale (values["depth-scale"].as<std::string>());
+  options.step = parseResolution (values["resolution"].as<std::string>());
+  if (values.count ("frames"))
+    options.max_frames = parseCount ("--frames", values["frames"].as<std::string>());
+  return options;
+}
+
+unsigned
+parseCount (const std::string& option, const std::string& text)
+{
+  const auto count = parseNumber<unsigned> (option, text);
+  if (count == 0)
+    throw AppError (option + ": must be 1 or more");
+  return count;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/organized_pcd.h>
+#include <pcl/console/print.h>
+#include <pcl/features/organized_view.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/PCLPointCloud2.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Silences PCL's own messages: what is wrong with a file is said once, by the
+ * exception. */
+class QuietPcl {
+public:
+  QuietPcl() { pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); }
+  QuietPcl (const QuietPcl&) = delete;
+  QuietPcl&
+  operator= (const QuietPcl&) = delete;
+  ~QuietPcl() { pcl::console::setVerbosityLevel (level_); }
+
+private:
+  pcl::console::VERBOSITY_LEVEL level_ = pcl::console::getVerbosityLevel();
+};
+
+AppError
+damaged (const std::string& file)
+{
+  return AppError (file +
+                   ": the PCD file is incomplete or damaged; copy or record it again");
+}
+
+const pcl::PCLPointField*
+findField (const pcl::PCLPointCloud2& blob, const std::string& name)
+{
+  for (const auto& field : blob.fields)
+    if (field.name == name && field.offset + sizeof (float) <= blob.point_step)
+      return &field;
+  return nullptr;
+}
+
+/** PCDReader trusts the sizes in front of compressed data. */
+bool
+compressedSizesFit (std::istream& stream,
+                    std::uintmax_t bytes,
+                    std::size_t data_begin,
+                    std::size_t uncompressed)
+{
+  std::uint32_t sizes[2];
+  stream.clear();
+  stream.seekg (static_cast<std::streamoff> (data_begin));
+  return stream.read (reinterpret_cast<char*> (sizes), sizeof (sizes)) &&
+         data_begin + sizeof (sizes) + sizes[0] <= bytes && sizes[1] == uncompressed;
+}
+
+/** PCDReader::read crashes or hangs on headers that are cut or no PCD at all. */
+void
+checkHeader (const std::string& file)
+{
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size (file, error);
+  std::ifstream stream (file, std::ios::binary);
+  if (error || !stream)
+    throw AppError (file + ": cannot open this file: " +
+                    (error ? error.message() : std::strerror (errno)));
+  pcl::PCLPointCloud2 header;
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  int version = 0, data_type = 0;
+  unsigned data_begin = 0;
+  const int result = pcl::PCDReader().readHeader (
+      stream, header, origin, orientation, version, data_type, data_begin);
+  if (result < 0 || data_begin == 0 || header.fields.empty())
+    throw AppError (file +
+                    ": not a PCD file, or its header is damaged; give a .pcd file");
+  for (const std::string name : {"x", "y", "z"}) {
+    const auto* field = findField (header, name);
+    if (!field || field->datatype != pcl::PCLPointField::FLOAT32)
+      throw AppError (file + ": the cloud has no 32-bit field '" + name +
+                      "'; write it with x y z as floats");
+  }
+  if (header.height < 2 || header.width < 2)
+    throw AppError (
+        file + ": the cloud is unorganized (" + std::to_string (header.width) + " x " +
+        std::to_string (header.height) +
+        "); record organized clouds (an image of points, missing ones as NaN), "
+        "or give the depth image");
+  const std::uint64_t size =
+      std::uint64_t{header.width} * header.height * header.point_step;
+  constexpr int compressed = 2;
+  if (header.data.size() != size ||
+      (data_type == compressed &&
+       !compressedSizesFit (stream, bytes, data_begin, header.data.size())))
+    throw damaged (file);
+}
+
+} // namespace
+
+pcl::PointCloud<pcl::PointXYZRGB>::Ptr
+readOrganizedPcd (const std::string& file)
+{
+  const QuietPcl quiet;
+  checkHeader (file);
+  pcl::PCLPointCloud2 blob;
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
+  int version = 0;
+  if (pcl::PCDReader().read (
+          file, blob, cloud->sensor_origin_, cloud->sensor_orientation_, version) < 0)
+    throw damaged (file);
+
+  const std::size_t offsets[] = {findField (blob, "x")->offset,
+                                 findField (blob, "y")->offset,
+                                 findField (blob, "z")->offset};
+  const auto* rgba = findField (blob, "rgba");
+  const auto* colour = rgba ? rgba : findField (blob, "rgb");
+  cloud->resize (blob.width, blob.height);
+  cloud->is_dense = false;
+  const std::uint8_t* data = blob.data.data();
+  for (auto& point : *cloud) {
+    for (int i = 0; i < 3; ++i)
+      std::memcpy (&point.data[i], data + offsets[i], sizeof (float));
+    if (!isMeasured (point.data))
+      point.x = point.y = point.z = std::numeric_limits<float>::quiet_NaN();
+    if (colour)
+      std::memcpy (&point.rgba, data + colour->offset, sizeof (point.rgba));
+    data += blob.point_step;
+  }
+  return cloud;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <unistd.h>
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/output_files.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace pcl {
+namespace rgbd_planes {
+
+OutputFiles::~OutputFiles()
+{
+  std::error_code ignored;
+  for (const auto& file : files_)
+    fs::remove (file.temporary, ignored);
+  for (auto folder = created_folders_.rbegin(); folder != created_folders_.rend();
+       ++folder)
+    fs::remove (*folder, ignored);
+}
+
+void
+OutputFiles::createFolder (const fs::path& folder)
+{
+  std::error_code error;
+  if (fs::is_directory (folder, error))
+    return;
+  if (folder.has_parent_path() && folder.parent_path() != folder)
+    createFolder (folder.parent_path());
+  if (folder.has_filename() && fs::create_directory (folder, error))
+    created_folders_.push_back (folder);
+  if (!fs::is_directory (folder))
+    throw AppError (folder.string() + ": cannot create this folder: " +
+                    error.message() + "; choose another one");
+}
+
+const OutputFiles::File&
+OutputFiles::find (const fs::path& name)
+{
+  const fs::path path = fs::weakly_canonical (name);
+  const auto known =
+      std::find_if (files_.begin(), files_.end(), [&] (const File& file) {
+        return file.path == path;
+      });
+  if (known != files_.end())
+    return *known;
+  if (fs::exists (path) && !fs::is_regular_file (path))
+    throw AppError (path.string() +
+                    ": is there and no regular file; choose another name");
+  const std::string temporary =
+      "." + path.filename().string() + "." + std::to_string (::getpid()) + ".part";
+  files_.push_back ({path, path.parent_path() / temporary});
+  return files_.back();
+}
+
+void
+OutputFiles::write (const fs::path& path, const std::string& contents)
+{
+  const File& file = find (path);
+  errno = 0;
+  std::ofstream stream (file.temporary, std::ios::binary);
+  stream << contents;
+  stream.close();
+  if (!stream)
+    throw AppError (path.string() + ": cannot write this file: " +
+                    std::strerror (errno) + "; choose another place");
+}
+
+void
+OutputFiles::commit()
+{
+  for (; !files_.empty(); files_.pop_back()) {
+    std::error_code error;
+    fs::rename (files_.back().temporary, files_.back().path, error);
+    if (error)
+      throw AppError (files_.back().path.string() + ": cannot write this file: " +
+                      error.message() + "; choose another place");
+  }
+  created_folders_.clear();
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <unistd.h>
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/frame_segmenter.h>
+#include <pcl/apps/frame_source.h>
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/labelled_point.h>
+#include <pcl/apps/output_files.h>
+#include <pcl/apps/pictures.h>
+#include <pcl/apps/plane_report.h>
+
+#include <boost/program_options.hpp>
+
+#include <iostream>
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+struct Options {
+  InputOptions input;
+  std::optional<unsigned> min_inliers;
+  std::optional<fs::path> output;
+  std::optional<fs::path> json;
+};
+
+/** Nothing where only help was asked for, which is printed. */
+std::optional<Options>
+parseCommandLine (int argc, char** argv)
+{
+  po::options_description options ("Options");
+  options.add_options() ("help", "print this help") (
+      "min-inliers",
+      po::value<std::string>()->value_name ("N"),
+      "drop planes with fewer points; by default 1000 for 640 x 480 pixels and in "
+      "proportion for other sizes") (
+      "output",
+      po::value<std::string>()->value_name ("DIR"),
+      "write pictures, labelled clouds, planes.csv and result.json there") (
+      "json",
+      po::value<std::string>()->value_name ("FILE"),
+      "write the result as JSON");
+  options.add (inputOptionsDescription());
+  po::options_description all;
+  all.add (options).add_options() ("input", po::value<std::string>());
+  po::variables_map values;
+  try {
+    po::positional_options_description positional;
+    positional.add ("input", 1);
+    po::store (po::command_line_parser (argc, argv)
+                   .options (all)
+                   .positional (positional)
+                   .run(),
+               values);
+  }
+  catch (const po::error& error) {
+    throw AppError (std::string (error.what()) + "; see --help");
+  }
+  if (values.count ("help")) {
+    std::cout
+        << "pcl_segment_planes INPUT [options]\n\n"
+           "Finds the planes of RGB-D frames. Files appear when all frames are done; "
+           "after an error\nthere are none.\n\n"
+        << input_help << '\n'
+        << options;
+    return std::nullopt;
+  }
+  if (!values.count ("input"))
+    throw AppError ("no INPUT given; see --help");
+
+  Options result;
+  result.input = readInputOptions (values["input"].as<std::string>(), values);
+  if (values.count ("min-inliers"))
+    result.min_inliers =
+        parseCount ("--min-inliers", values["min-inliers"].as<std::string>());
+  if (values.count ("output"))
+    result.output = values["output"].as<std::string>();
+  if (values.count ("json"))
+    result.json = values["json"].as<std::string>();
+  return result;
+}
+
+/** Writes empty files first, so that an unwritable place is known before the work is
+ * done, and so that these files appear last. */
+void
+prepareOutput (const Options& options, OutputFiles& files)
+{
+  if (options.output) {
+    std::error_code error;
+    if (fs::is_directory (options.input.input) &&
+        fs::equivalent (options.input.input, *options.output, error))
+      throw AppError (options.output->string() +
+                      ": --output is the INPUT folder, whose next run would take the "
+                      "results for frames; choose another folder");
+    files.createFolder (*options.output);
+    files.write (*options.output / "result.json", "");
+    files.write (*options.output / "planes.csv", "");
+  }
+  if (options.json)
+    files.write (*options.json, "");
+}
+
+void
+writeFrame (const fs::path& folder,
+            const Frame& frame,
+            const FrameSegmenter& segmenter,
+            OutputFiles& files)
+{
+  const auto& labels = segmenter.labels();
+  const auto write = [&] (const char* ending, const std::string& contents) {
+    files.write (folder / (frame.name + ending), contents);
+  };
+  write ("_planes.png", encodePng (planesPicture (*frame.cloud, labels)));
+  write ("_normals.png", encodePng (normalsPicture (segmenter.normals())));
+  write ("_depth.png", encodePng (depthPicture (*frame.cloud)));
+  write ("_labels.pcd", encodeLabels (*frame.cloud, segmenter.normals(), labels));
+}
+
+void
+showProgress (std::size_t done, std::size_t all)
+{
+  if (all > 1 && ::isatty (STDERR_FILENO))
+    std::cerr << "\rframe " << done << " of " << all << (done == all ? "\n" : "")
+              << std::flush;
+}
+
+void
+segmentPlanes (int argc, char** argv)
+{
+  const auto options = parseCommandLine (argc, argv);
+  if (!options)
+    return;
+  const FrameSource source (options->input);
+  OutputFiles files;
+  prepareOutput (*options, files);
+
+  FrameSegmenter segmenter (options->min_inliers);
+  std::vector<FrameSummary> summaries;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const Frame frame = source.read (i);
+    summaries.push_back (segmenter.segment (frame));
+    if (options->output)
+      writeFrame (*options->output, frame, segmenter, files);
+    showProgress (i + 1, source.size());
+  }
+
+  const std::string json = resultJson (options->input, summaries);
+  if (options->output) {
+    files.write (*options->output / "result.json", json);
+    files.write (*options->output / "planes.csv", planesCsv (summaries));
+  }
+  if (options->json)
+    files.write (*options->json, json);
+  for (const auto& summary : summaries)
+    printPlanes (std::cout, summary);
+  printStageTimes (std::cout, summaries);
+  if (!std::cout.flush())
+    throw AppError ("cannot write to standard output");
+  files.commit();
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return runApp ("pcl_segment_planes", [&] { segmentPlanes (argc, argv); });
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/plane_report.h>
+
+#include <boost/format.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Stage {
+  const char* key;
+  const char* title;
+  double StageTimes::*time;
+};
+
+constexpr Stage stages[] = {
+    {"normals", "normals", &StageTimes::normals},
+    {"normal_space_clustering", "normal-space clustering", &StageTimes::normal_space},
+    {"distance_space_clustering",
+     "distance-space clustering",
+     &StageTimes::distance_space},
+    {"refinement", "refinement", &StageTimes::refinement},
+    {"total", "total", &StageTimes::total}};
+
+struct TimeRange {
+  double min, median, max;
+};
+
+TimeRange
+timeRange (const std::vector<FrameSummary>& frames, const Stage& stage)
+{
+  std::vector<double> times;
+  for (const auto& frame : frames)
+    times.push_back (frame.times.*stage.time);
+  std::sort (times.begin(), times.end());
+  const std::size_t n = times.size();
+  return {times.front(), 0.5 * (times[(n - 1) / 2] + times[n / 2]), times.back()};
+}
+
+double
+percent (std::size_t part, std::size_t whole)
+{
+  return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole) : 0.;
+}
+
+/** A field of a CSV file (RFC 4180). */
+std::string
+quoted (const std::string& text)
+{
+  if (text.find_first_of (",\"\r\n") == std::string::npos)
+    return text;
+  std::string result = "\"";
+  for (const char c : text)
+    result += c == '"' ? "\"\"" : std::string (1, c);
+  return result + '"';
+}
+
+Json
+toJson (const FrameSummary& frame)
+{
+  Json times, planes = Json::array();
+  for (const Stage& stage : stages)
+    times[stage.key] = frame.times.*stage.time;
+  for (std::size_t id = 0; id < frame.planes.size(); ++id) {
+    const PlaneSummary& plane = frame.planes[id];
+    const auto& [a, b, c, d] = plane.coefficients;
+    planes.push_back ({{"id", id},
+                       {"normal", {a, b, c}},
+                       {"distance_m", d},
+                       {"points", plane.points},
+                       {"rms_m", plane.rms},
+                       {"class", unknown_class}});
+  }
+  return {{"frame", frame.name},
+          {"width", frame.width},
+          {"height", frame.height},
+          {"measured_points", frame.measured_points},
+          {"labelled_points", frame.labelled_points},
+          {"min_inliers", frame.min_inliers},
+          {"stage_times_ms", times},
+          {"planes", planes}};
+}
+
+Json
+toJson (const InputOptions& options)
+{
+  Json settings{{"resolution_step", options.step}};
+  if (options.intrinsics) {
+    const auto& [fx, fy, cx, cy] = *options.intrinsics;
+    settings["intrinsics"] = {fx, fy, cx, cy};
+  }
+  if (options.units_per_metre)
+    settings["depth_units_per_m"] = *options.units_per_metre;
+  return settings;
+}
+
+} // namespace
+
+void
+printPlanes (std::ostream& out, const FrameSummary& frame)
+{
+  out << boost::format (
+             "%s: %d x %d, %d points measured, %.1f %% of them on %d planes\n") %
+             frame.name % frame.width % frame.height % frame.measured_points %
+             percent (frame.labelled_points, frame.measured_points) %
+             frame.planes.size();
+  if (frame.planes.empty())
+    return;
+  out << "  plane   normal x       y       z   distance m    points   rms mm   class\n";
+  for (std::size_t id = 0; id < frame.planes.size(); ++id) {
+    const PlaneSummary& plane = frame.planes[id];
+    const auto& [a, b, c, d] = plane.coefficients;
+    out << boost::format ("%7d   %8.4f %7.4f %7.4f   %10.4f %9d %8.2f   %s\n") % id %
+               a % b % c % d % plane.points % (1e3 * plane.rms) % unknown_class;
+  }
+}
+
+void
+printStageTimes (std::ostream& out, const std::vector<FrameSummary>& frames)
+{
+  out << boost::format ("%-26s %8s %8s %8s   (over %d frames)\n") % "time in ms" %
+             "min" % "median" % "max" % frames.size();
+  for (const Stage& stage : stages) {
+    const TimeRange range = timeRange (frames, stage);
+    out << boost::format ("%-26s %8.2f %8.2f %8.2f\n") % stage.title % range.min %
+               range.median % range.max;
+  }
+}
+
+std::string
+planesCsv (const std::vector<FrameSummary>& frames)
+{
+  std::string csv = "frame,plane,a,b,c,d,points,rms_m,class\n";
+  for (const auto& frame : frames)
+    for (std::size_t id = 0; id < frame.planes.size(); ++id) {
+      const PlaneSummary& plane = frame.planes[id];
+      const auto& [a, b, c, d] = plane.coefficients;
+      csv += (boost::format ("%s,%d,%.9g,%.9g,%.9g,%.9g,%d,%.6g,%s\n") %
+              quoted (frame.name) % id % a % b % c % d % plane.points % plane.rms %
+              unknown_class)
+                 .str();
+    }
+  return csv;
+}
+
+std::string
+resultJson (const InputOptions& options, const std::vector<FrameSummary>& frames)
+{
+  Json times, results = Json::array();
+  for (const Stage& stage : stages) {
+    const TimeRange range = timeRange (frames, stage);
+    times[stage.key] = {
+        {"min", range.min}, {"median", range.median}, {"max", range.max}};
+  }
+  for (const auto& frame : frames)
+    results.push_back (toJson (frame));
+  const Json json{{"input", options.input},
+                  {"settings", toJson (options)},
+                  {"stage_times_ms", times},
+                  {"frames", results}};
+  // File names need not be UTF-8.
+  return json.dump (2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

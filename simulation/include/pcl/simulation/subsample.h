@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/point_cloud.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Every step-th column of every step-th row of an organized cloud, the first
+ * ones included: from VGA, 1 gives VGA, 2 QVGA and 4 QQVGA.
+ *
+ * A step of 0 throws std::invalid_argument.
+ */
+template <typename PointT>
+pcl::PointCloud<PointT>
+subsample (const pcl::PointCloud<PointT>& cloud, std::uint32_t step)
+{
+  if (step == 0)
+    throw std::invalid_argument ("subsample: the step must be at least 1");
+  pcl::PointCloud<PointT> result ((cloud.width + step - 1) / step,
+                                  (cloud.height + step - 1) / step);
+  result.header = cloud.header;
+  result.is_dense = cloud.is_dense;
+  result.sensor_origin_ = cloud.sensor_origin_;
+  result.sensor_orientation_ = cloud.sensor_orientation_;
+  for (std::uint32_t v = 0; v < result.height; ++v)
+    for (std::uint32_t u = 0; u < result.width; ++u)
+      result (u, v) = cloud (u * step, v * step);
+  return result;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

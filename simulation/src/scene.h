@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The part of a surface inside \a region has another colour. */
+struct Decal {
+  Eigen::AlignedBox3f region;
+  Eigen::Vector3f color;
+};
+
+struct Surface {
+  enum class Shape { polygon, cylinder, sphere };
+  Shape shape = Shape::polygon;
+  /** Polygon: its corners, in one plane, convex. Cylinder: both ends of its axis.
+   * Sphere: its centre. */
+  std::vector<Eigen::Vector3f> points;
+  float radius = 0.f;
+  /** Red, green, blue, 0 to 1. */
+  Eigen::Vector3f color = Eigen::Vector3f::Constant (0.7f);
+  std::uint32_t object = 0;
+  bool obstacle = true;
+  std::vector<Decal> decals;
+};
+
+/** \brief Colour and object id of what is added to a scene. */
+struct Look {
+  Eigen::Vector3f color;
+  std::uint32_t object = 0;
+};
+
+/** \brief Surfaces in the base frame (x forward, y left, z up, the floor at z = 0,
+ * metres) and where the camera is. */
+struct Scene {
+  Eigen::Affine3f camera_to_base = Eigen::Affine3f::Identity();
+  std::vector<Surface> surfaces;
+
+  /** \brief The camera at \a eye looks at \a target, turned clockwise by \a roll
+   * radians. */
+  void
+  setCamera (const Eigen::Vector3f& eye, const Eigen::Vector3f& target, float roll);
+
+  Surface&
+  addPolygon (const std::vector<Eigen::Vector3f>& corners, const Look& look);
+
+  /** \brief A box that stands on the xy plane of \a pose, centred above its origin. */
+  void
+  addBox (const Eigen::Affine3f& pose, const Eigen::Vector3f& size, const Look& look);
+
+  /** \brief A closed cylinder that stands on the xy plane of \a pose. */
+  void
+  addCylinder (const Eigen::Affine3f& pose,
+               float radius,
+               float height,
+               const Look& look);
+
+  void
+  addSphere (const Eigen::Vector3f& center, float radius, const Look& look);
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

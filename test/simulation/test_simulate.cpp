@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/simulation/simulate.h>
+#include <pcl/simulation/subsample.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+using pcl::rgbd_planes::Camera;
+using pcl::rgbd_planes::sceneNames;
+using pcl::rgbd_planes::Sensor;
+using pcl::rgbd_planes::simulate;
+using pcl::rgbd_planes::SimulatedFrame;
+using pcl::rgbd_planes::subsample;
+using pcl::rgbd_planes::TruthPoint;
+
+namespace {
+
+class Scenes : public testing::TestWithParam<std::string> {};
+
+template <typename Cloud>
+bool
+sameBytes (const Cloud& a, const Cloud& b)
+{
+  return a.size() == b.size() &&
+         std::memcmp (a.data(), b.data(), a.size() * sizeof (a[0])) == 0;
+}
+
+} // namespace
+
+TEST_P (Scenes, IdealDepthIsTheTruth)
+{
+  const auto frame = simulate (GetParam(), 1, Sensor::ideal);
+  ASSERT_EQ (frame.cloud->width, 640u);
+  ASSERT_EQ (frame.cloud->height, 480u);
+  ASSERT_EQ (frame.truth->width, 640u);
+  ASSERT_EQ (frame.truth->height, 480u);
+  for (std::size_t i = 0; i < frame.cloud->size(); ++i) {
+    const auto& measured = (*frame.cloud)[i];
+    const auto& truth = (*frame.truth)[i];
+    ASSERT_EQ (std::isfinite (measured.z), std::isfinite (truth.z));
+    if (std::isfinite (truth.z)) {
+      ASSERT_NEAR (
+          (measured.getVector3fMap() - truth.getVector3fMap()).norm(), 0.f, 1e-6f);
+    }
+  }
+}
+
+TEST_P (Scenes, PointsProjectToTheirPixels)
+{
+  const Camera camera;
+  const auto frame = simulate (GetParam(), 1, Sensor::kinect);
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) {
+      const auto& point = (*frame.cloud) (u, v);
+      if (!std::isfinite (point.z))
+        continue;
+      ASSERT_NEAR (
+          point.x / point.z * camera.fx + camera.cx, static_cast<float> (u), 1e-3f);
+      ASSERT_NEAR (
+          point.y / point.z * camera.fy + camera.cy, static_cast<float> (v), 1e-3f);
+    }
+}
+
+TEST_P (Scenes, PlanesHoldTheirPoints)
+{
+  const auto frame = simulate (GetParam(), 1, Sensor::ideal);
+  for (const auto& plane : frame.planes) {
+    EXPECT_NEAR (plane.head<3>().norm(), 1.f, 1e-5f);
+    EXPECT_GE (plane[3], 0.f);
+  }
+  for (const auto& point : *frame.truth) {
+    ASSERT_LE (point.label, frame.planes.size());
+    if (point.label == 0)
+      continue;
+    const Eigen::Vector4f& plane = frame.planes[point.label - 1];
+    ASSERT_NEAR (plane.dot (point.getVector4fMap()), 0.f, 1e-4f);
+    ASSERT_GT (plane.head<3>().dot (point.getNormalVector3fMap()), 0.999999f);
+  }
+}
+
+/** The oracle for normals is the depth itself: tangents between neighbouring pixels. */
+TEST_P (Scenes, NormalsAwayFromEdgesAgreeWithTheDepth)
+{
+  const auto frame = simulate (GetParam(), 1, Sensor::ideal);
+  const auto& truth = *frame.truth;
+  std::size_t checked = 0;
+  for (std::uint32_t v = 1; v + 1 < truth.height; ++v)
+    for (std::uint32_t u = 1; u + 1 < truth.width; ++u) {
+      const auto& point = truth (u, v);
+      if (point.edge != 0 || !std::isfinite (point.z))
+        continue;
+      const Eigen::Vector3f right =
+          truth (u + 1, v).getVector3fMap() - truth (u - 1, v).getVector3fMap();
+      const Eigen::Vector3f down =
+          truth (u, v + 1).getVector3fMap() - truth (u, v - 1).getVector3fMap();
+      const Eigen::Vector3f normal = down.cross (right).normalized();
+      ASSERT_GT (normal.dot (point.getNormalVector3fMap()), 0.99f) << u << " " << v;
+      ++checked;
+    }
+  EXPECT_GT (checked, truth.size() / 4);
+}
+
+TEST_P (Scenes, OnlyTheFloorIsNoObstacle)
+{
+  const auto frame = simulate (GetParam(), 1, Sensor::ideal);
+  for (const auto& point : *frame.truth) {
+    if (!std::isfinite (point.z))
+      continue;
+    const Eigen::Vector3f in_base = frame.camera_to_base * point.getVector3fMap();
+    const Eigen::Vector3f normal =
+        frame.camera_to_base.linear() * point.getNormalVector3fMap();
+    const bool on_floor = std::fabs (in_base.z()) < 1e-4f && normal.z() > 0.9999f;
+    ASSERT_EQ (point.obstacle, on_floor ? 0u : 1u);
+  }
+}
+
+TEST_P (Scenes, TheSameSeedGivesTheSameBytes)
+{
+  for (const auto sensor : {Sensor::ideal, Sensor::kinect}) {
+    const auto first = simulate (GetParam(), 7, sensor);
+    const auto second = simulate (GetParam(), 7, sensor);
+    EXPECT_TRUE (sameBytes (*first.cloud, *second.cloud));
+    EXPECT_TRUE (sameBytes (*first.truth, *second.truth));
+    const auto other = simulate (GetParam(), 8, sensor);
+    EXPECT_FALSE (sameBytes (*first.truth, *other.truth));
+  }
+}
+
+TEST_P (Scenes, BothSensorsSeeTheSameTruth)
+{
+  EXPECT_TRUE (sameBytes (*simulate (GetParam(), 3, Sensor::ideal).truth,
+                          *simulate (GetParam(), 3, Sensor::kinect).truth));
+}
+
+INSTANTIATE_TEST_SUITE_P (All, Scenes, testing::ValuesIn (sceneNames()));
+
+TEST (Simulate, TableAndABoxFaceAreClearlyVisible)
+{
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto frame = simulate ("table_single", seed, Sensor::ideal);
+    std::size_t table = 0;
+    std::map<std::uint32_t, std::size_t> box_faces;
+    for (const auto& point : *frame.truth) {
+      const float height = (frame.camera_to_base * point.getVector3fMap()).z();
+      const Eigen::Vector3f up =
+          frame.camera_to_base.linear() * point.getNormalVector3fMap();
+      if (point.object == 1)
+        ++box_faces[point.label];
+      else if (up.z() > 0.999f && height > 0.6f && height < 0.8f)
+        ++table;
+    }
+    EXPECT_GE (table, 1000u) << seed;
+    ASSERT_FALSE (box_faces.empty()) << seed;
+    const auto largest =
+        std::max_element (box_faces.begin(), box_faces.end(), [] (auto& a, auto& b) {
+          return a.second < b.second;
+        });
+    EXPECT_GE (largest->second, 1000u) << seed;
+  }
+}
+
+TEST (Simulate, AnUnknownSceneIsRefusedWithTheKnownOnes)
+{
+  try {
+    simulate ("attic", 0, Sensor::ideal);
+    FAIL();
+  }
+  catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    EXPECT_NE (message.find ("attic"), std::string::npos);
+    for (const auto& name : sceneNames())
+      EXPECT_NE (message.find (name), std::string::npos);
+  }
+}
+
+TEST (Subsample, TakesEveryNthPixel)
+{
+  pcl::PointCloud<TruthPoint> cloud (7, 5);
+  for (std::uint32_t v = 0; v < 5; ++v)
+    for (std::uint32_t u = 0; u < 7; ++u)
+      cloud (u, v).label = 10 * v + u;
+  const auto half = subsample (cloud, 2);
+  ASSERT_EQ (half.width, 4u);
+  ASSERT_EQ (half.height, 3u);
+  EXPECT_EQ (half (0, 0).label, 0u);
+  EXPECT_EQ (half (3, 2).label, 46u);
+  EXPECT_EQ (subsample (cloud, 4).size(), 4u);
+  EXPECT_TRUE (sameBytes (subsample (cloud, 1), cloud));
+  EXPECT_THROW (subsample (cloud, 0), std::invalid_argument);
+}
