@@ -3,11 +3,12 @@
 
 #include "scenes.h"
 
-#include "random.h"
+#include "furniture.h"
 
 #include <pcl/simulation/simulate.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace pcl {
@@ -15,101 +16,226 @@ namespace rgbd_planes {
 
 namespace {
 
-using Color = Eigen::Vector3f;
 using Eigen::Vector3f;
 
-const Color wood (0.62f, 0.43f, 0.25f);
-const Color plaster (0.82f, 0.80f, 0.74f);
-const Color tiles (0.45f, 0.47f, 0.50f);
+const Vector3f dark (0.03f, 0.03f, 0.03f);
+const Vector3f door (0.50f, 0.32f, 0.18f);
+const Vector3f rug (0.55f, 0.25f, 0.22f);
+const Vector3f steel (0.60f, 0.64f, 0.66f);
 
-Color
-strongColor (Random& random)
-{
-  const float hue = random.uniform (0.f, 6.f);
-  Color color;
-  for (int i = 0; i < 3; ++i) {
-    const float distance =
-        std::fabs (std::remainder (hue - 2.f * static_cast<float> (i), 6.f));
-    color[i] = 0.2f + 0.7f * std::clamp (2.f - distance, 0.f, 1.f);
-  }
-  return color;
-}
-
-Eigen::Affine3f
-poseAt (float x, float y, float z, float yaw)
-{
-  return Eigen::Translation3f (x, y, z) * Eigen::AngleAxisf (yaw, Vector3f::UnitZ());
-}
-
-/** Floor, ceiling and four walls; only the floor is no obstacle. */
+/** A part of the surfaces \a first and later has another colour. */
 void
-addRoom (Scene& scene, const Vector3f& low, const Vector3f& high)
+paint (Scene& scene,
+       std::size_t first,
+       const Vector3f& center,
+       const Vector3f& size,
+       const Vector3f& color)
 {
-  const auto quad = [&] (int axis, float at, const Color& color) -> Surface& {
-    const int i = (axis + 1) % 3;
-    const int j = (axis + 2) % 3;
-    std::vector<Vector3f> corners (4, Vector3f::Zero());
-    for (std::size_t k = 0; k < 4; ++k) {
-      corners[k][axis] = at;
-      corners[k][i] = k == 1 || k == 2 ? high[i] : low[i];
-      corners[k][j] = k >= 2 ? high[j] : low[j];
-    }
-    return scene.addPolygon (corners, {color});
-  };
-  quad (2, low.z(), tiles).obstacle = false;
-  quad (2, high.z(), Color::Constant (0.9f));
-  quad (0, low.x(), plaster);
-  quad (0, high.x(), plaster);
-  quad (1, low.y(), Color (0.70f, 0.78f, 0.82f));
-  quad (1, high.y(), Color (0.80f, 0.74f, 0.70f));
-}
-
-/** A table whose top ends at the height of size.z, with four legs. */
-void
-addTable (Scene& scene, const Eigen::Affine3f& pose, const Vector3f& size)
-{
-  constexpr float thickness = 0.04f;
-  constexpr float leg = 0.06f;
-  scene.addBox (pose * Eigen::Translation3f (0.f, 0.f, size.z() - thickness),
-                {size.x(), size.y(), thickness},
-                {wood});
-  for (const float x : {-0.45f, 0.45f})
-    for (const float y : {-0.45f, 0.45f})
-      scene.addBox (pose * Eigen::Translation3f (x * size.x(), y * size.y(), 0.f),
-                    {leg, leg, size.z() - thickness},
-                    {wood});
+  for (std::size_t i = first; i < scene.surfaces.size(); ++i)
+    scene.surfaces[i].decals.push_back (
+        {Eigen::AlignedBox3f (center - 0.5f * size, center + 0.5f * size), color});
 }
 
 Scene
 tableSingle (Random& random)
 {
   Scene scene;
-  addRoom (scene, {-1.5f, -2.2f, 0.f}, {random.uniform (2.6f, 3.4f), 2.2f, 2.6f});
+  addRoom (scene, {{-1.5f, -2.2f, 0.f}, {random.uniform (2.6f, 3.4f), 2.2f, 2.6f}});
   const float height = random.uniform (0.68f, 0.78f);
-  const auto table = poseAt (1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f));
-  addTable (scene, table, {0.7f, 1.2f, height});
-
+  const auto top = addTable (scene,
+                             poseAt (1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f)),
+                             {0.7f, 1.2f, height});
   const Vector3f size (random.uniform (0.07f, 0.1f),
                        random.uniform (0.12f, 0.2f),
                        random.uniform (0.15f, 0.25f));
   const auto spot = poseAt (random.uniform (-0.15f, 0.05f),
                             random.uniform (-0.15f, 0.15f),
-                            height,
+                            0.f,
                             random.uniform (0.4f, 1.2f));
-  scene.addBox (table * spot, size, {strongColor (random), 1});
-
+  scene.addBox (top * spot, size, {strongColor (random), 1});
   scene.setCamera ({0.f, 0.f, random.uniform (1.25f, 1.5f)},
                    {1.05f, random.uniform (-0.1f, 0.1f), height},
                    random.uniform (-0.05f, 0.05f));
   return scene;
 }
 
+Scene
+tableCluttered (Random& random)
+{
+  Scene scene;
+  addRoom (scene, {{-1.5f, -2.5f, 0.f}, {random.uniform (2.8f, 3.6f), 2.5f, 2.6f}});
+  const float height = random.uniform (0.68f, 0.78f);
+  const std::size_t first = scene.surfaces.size();
+  const auto top = addTable (scene,
+                             poseAt (1.25f, 0.f, 0.f, random.uniform (-0.2f, 0.2f)),
+                             {0.9f, 1.5f, height});
+  paint (scene,
+         first,
+         {random.uniform (1.f, 1.4f), random.uniform (-0.3f, 0.3f), height},
+         {0.2f, 0.28f, 0.02f},
+         dark);
+  addClutter (scene, top, {0.75f, 1.1f}, random);
+  scene.setCamera ({0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.5f, 1.7f)},
+                   {1.2f, random.uniform (-0.1f, 0.1f), height},
+                   random.uniform (-0.05f, 0.05f));
+  return scene;
+}
+
+Scene
+room (Random& random)
+{
+  Scene scene;
+  const Vector3f far_corner (random.uniform (4.2f, 5.2f),
+                             random.uniform (2.f, 2.8f),
+                             random.uniform (2.4f, 2.7f));
+  addRoom (scene, {{-1.5f, random.uniform (-2.8f, -2.f), 0.f}, far_corner});
+  paint (scene,
+         0,
+         {far_corner.x(), random.uniform (-1.2f, 0.6f), 1.f},
+         {0.1f, 0.9f, 2.f},
+         door);
+  paint (scene,
+         0,
+         {random.uniform (1.6f, 2.6f), far_corner.y(), 1.5f},
+         {0.9f, 0.1f, 0.6f},
+         dark);
+  scene.addBox (poseAt (far_corner.x() - 0.25f, far_corner.y() - 0.6f, 0.f, 0.f),
+                {0.5f, 1.f, random.uniform (1.5f, 1.9f)},
+                {steel});
+
+  const float height = random.uniform (0.68f, 0.78f);
+  const auto top = addTable (scene,
+                             poseAt (random.uniform (1.7f, 1.9f),
+                                     random.uniform (-0.3f, 0.3f),
+                                     0.f,
+                                     random.uniform (-0.4f, 0.4f)),
+                             {0.9f, 1.5f, height});
+  addClutter (scene, top, {0.75f, 1.1f}, random);
+  scene.setCamera ({0.f, 0.f, random.uniform (1.35f, 1.5f)},
+                   {2.f, random.uniform (-0.3f, 0.3f), random.uniform (1.05f, 1.15f)},
+                   random.uniform (-0.04f, 0.04f));
+  return scene;
+}
+
+Scene
+corridor (Random& random)
+{
+  Scene scene;
+  const float right = random.uniform (-1.2f, -0.8f);
+  const float left = random.uniform (0.8f, 1.2f);
+  const float end = random.uniform (5.8f, 6.4f);
+  addRoom (scene, {{-1.5f, right, 0.f}, {end, left, random.uniform (2.4f, 2.7f)}});
+  for (const float side : {right, left}) {
+    paint (scene, 0, {random.uniform (1.6f, 3.5f), side, 1.f}, {0.9f, 0.1f, 2.f}, door);
+    for (float x = random.uniform (1.8f, 2.6f); x < 5.f;
+         x += random.uniform (1.3f, 1.9f)) {
+      const Vector3f size (random.uniform (0.5f, 1.f),
+                           random.uniform (0.25f, 0.4f),
+                           random.uniform (0.9f, 1.8f));
+      const float y = side + (side < 0.f ? 0.5f : -0.5f) * size.y();
+      scene.addBox (poseAt (x, y, 0.f, 0.f), size, {strongColor (random)});
+    }
+  }
+  scene.setCamera ({0.f, random.uniform (-0.25f, 0.25f), random.uniform (1.f, 1.4f)},
+                   {4.f, random.uniform (-0.4f, 0.4f), random.uniform (0.8f, 1.1f)},
+                   random.uniform (-0.03f, 0.03f));
+  return scene;
+}
+
+/** A wedge that rises along x from the origin of \a pose. */
+void
+addRamp (Scene& scene, const Eigen::Affine3f& pose, const Vector3f& size)
+{
+  const auto corner = [&] (float x, float y, float z) -> Vector3f {
+    return pose * Vector3f (x * size.x(), (y - 0.5f) * size.y(), z * size.z());
+  };
+  const Look look{steel};
+  scene.addPolygon (
+      {corner (0, 0, 0), corner (1, 0, 1), corner (1, 1, 1), corner (0, 1, 0)}, look);
+  scene.addPolygon (
+      {corner (1, 0, 0), corner (1, 1, 0), corner (1, 1, 1), corner (1, 0, 1)}, look);
+  for (const float y : {0.f, 1.f})
+    scene.addPolygon ({corner (0, y, 0), corner (1, y, 0), corner (1, y, 1)}, look);
+}
+
+/** Ten things from 1 cm to 1 m high; the lower, the nearer, the noise of a sensor would
+ * hide them otherwise. Each has its own direction, so that none hides another. */
+void
+addObstacles (Scene& scene, FreeSpace& space, Random& random)
+{
+  constexpr float directions = 10.f;
+  const float shift = random.uniform (0.f, directions);
+  std::uint32_t object = 0;
+  for (const float height :
+       {0.01f, 1.f, 0.015f, 0.02f, 0.03f, 0.05f, 0.1f, 0.2f, 0.35f, 0.6f}) {
+    const float radius = random.uniform (0.06f, 0.14f);
+    const auto direction =
+        std::fmod (shift + 3.f * static_cast<float> (object), directions);
+    const float slope = 0.09f * (direction - 0.5f * directions);
+    const float nearest = 0.75f + 1.3f * height;
+    const float farthest = std::min (4.f, 0.9f + 40.f * height);
+    const Eigen::Vector2f spot = space.take (radius + 0.02f, [&] {
+      const float x = random.uniform (nearest, farthest);
+      return Eigen::Vector2f (x, x * slope);
+    });
+    const auto pose = poseAt (spot.x(), spot.y(), 0.f, random.uniform (0.f, 1.57f));
+    const Look look{strongColor (random), ++object};
+    if (random.uniform (0.f, 1.f) < 0.3f)
+      scene.addCylinder (pose, radius, height, look);
+    else
+      scene.addBox (pose, {1.5f * radius, 1.3f * radius, height}, look);
+  }
+}
+
+Scene
+floorObstacles (Random& random)
+{
+  Scene scene;
+  addRoom (scene, {{-1.5f, -2.6f, 0.f}, {random.uniform (5.f, 6.f), 2.6f, 2.6f}});
+  paint (scene, 0, {1.6f, random.uniform (-0.3f, 0.3f), 0.f}, {0.8f, 0.6f, 0.02f}, rug);
+  const float side = random.uniform (0.f, 1.f) < 0.5f ? 1.f : -1.f;
+  scene.addBox (poseAt (3.6f, 1.3f * side, 0.f, random.uniform (-0.2f, 0.2f)),
+                {1.2f, 1.2f, random.uniform (0.08f, 0.18f)},
+                {steel});
+  addRamp (scene,
+           poseAt (2.3f, -0.95f * side, 0.f, random.uniform (-0.2f, 0.2f)),
+           {1.f, 0.8f, random.uniform (0.1f, 0.18f)});
+  addTable (scene,
+            poseAt (4.2f, -0.2f * side, 0.f, random.uniform (-0.4f, 0.4f)),
+            {0.6f, 0.9f, 0.72f});
+  FreeSpace space;
+  space.take (0.87f, [&] { return Eigen::Vector2f (3.6f, 1.3f * side); });
+  space.take (0.67f, [&] { return Eigen::Vector2f (2.8f, -0.95f * side); });
+  space.take (0.55f, [&] { return Eigen::Vector2f (4.2f, -0.2f * side); });
+  addObstacles (scene, space, random);
+  scene.setCamera ({0.f, 0.f, random.uniform (0.65f, 0.85f)},
+                   {1.8f, random.uniform (-0.1f, 0.1f), random.uniform (0.f, 0.1f)},
+                   random.uniform (-0.03f, 0.03f));
+  return scene;
+}
+
+struct NamedScene {
+  const char* name;
+  Scene (*make) (Random&);
+};
+
+constexpr NamedScene scenes[] = {{"table_single", tableSingle},
+                                 {"table_cluttered", tableCluttered},
+                                 {"room", room},
+                                 {"corridor", corridor},
+                                 {"floor_obstacles", floorObstacles}};
+
 } // namespace
 
 const std::vector<std::string>&
 sceneNames ()
 {
-  static const std::vector<std::string> names{"table_single"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& scene : scenes)
+      all.emplace_back (scene.name);
+    return all;
+  }();
   return names;
 }
 
@@ -117,8 +243,9 @@ Scene
 makeScene (const std::string& name, unsigned seed)
 {
   Random random (seed);
-  if (name == "table_single")
-    return tableSingle (random);
+  for (const auto& scene : scenes)
+    if (name == scene.name)
+      return scene.make (random);
   std::string message = "unknown scene '" + name + "'; the scenes are";
   for (const auto& known : sceneNames())
     message += " " + known;

@@ -24,12 +24,31 @@ namespace {
 
 class Scenes : public testing::TestWithParam<std::string> {};
 
-template <typename Cloud>
+/** Compares coordinates and colour; the rest of a point is padding. */
 bool
-sameBytes (const Cloud& a, const Cloud& b)
+sameBytes (const pcl::PointCloud<pcl::PointXYZRGB>& a,
+           const pcl::PointCloud<pcl::PointXYZRGB>& b)
+{
+  return std::equal (a.begin(), a.end(), b.begin(), b.end(), [] (auto& p, auto& q) {
+    return std::memcmp (p.data, q.data, sizeof (p.data)) == 0 && p.rgba == q.rgba;
+  });
+}
+
+bool
+sameBytes (const pcl::PointCloud<TruthPoint>& a, const pcl::PointCloud<TruthPoint>& b)
 {
   return a.size() == b.size() &&
          std::memcmp (a.data(), b.data(), a.size() * sizeof (a[0])) == 0;
+}
+
+std::map<std::uint32_t, std::size_t>
+pixelsPerObject (const SimulatedFrame& frame)
+{
+  std::map<std::uint32_t, std::size_t> pixels;
+  for (const auto& point : *frame.truth)
+    if (point.object != 0)
+      ++pixels[point.object];
+  return pixels;
 }
 
 } // namespace
@@ -163,6 +182,35 @@ TEST (Simulate, TableAndABoxFaceAreClearlyVisible)
           return a.second < b.second;
         });
     EXPECT_GE (largest->second, 1000u) << seed;
+  }
+}
+
+TEST (Simulate, TheClutteredTableShowsMoreThan50Objects)
+{
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto pixels =
+        pixelsPerObject (simulate ("table_cluttered", seed, Sensor::ideal));
+    const auto seen = std::count_if (
+        pixels.begin(), pixels.end(), [] (const auto& p) { return p.second >= 50; });
+    EXPECT_GT (seen, 50) << seed;
+  }
+}
+
+TEST (Simulate, TheFloorHasObstaclesFrom1CmTo1M)
+{
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto frame = simulate ("floor_obstacles", seed, Sensor::ideal);
+    std::map<std::uint32_t, float> height;
+    for (const auto& point : *frame.truth)
+      if (point.object != 0)
+        height[point.object] = std::max (
+            height[point.object], (frame.camera_to_base * point.getVector3fMap()).z());
+    EXPECT_EQ (height.size(), 10u) << seed;
+    EXPECT_NEAR (height[1], 0.01f, 1e-4f) << seed;
+    const auto pixels = pixelsPerObject (frame);
+    EXPECT_TRUE (std::all_of (pixels.begin(), pixels.end(), [] (const auto& p) {
+      return p.second >= 50;
+    })) << seed;
   }
 }
 

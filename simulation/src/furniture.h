@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include "random.h"
+#include "scene.h"
+
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief A saturated colour. */
+Eigen::Vector3f
+strongColor (Random& random);
+
+/** \brief The pose at (x, y, z), turned by \a yaw radians around the vertical axis. */
+Eigen::Affine3f
+poseAt (float x, float y, float z, float yaw);
+
+/** \brief Floor, ceiling and four walls. */
+struct Room {
+  Eigen::Vector3f low;
+  Eigen::Vector3f high;
+};
+
+/** \brief Adds a room; only its floor is no obstacle. */
+void
+addRoom (Scene& scene, const Room& room);
+
+/** \brief A table with four legs, its centre at the origin of \a pose, its top size.z
+ * above. Returns the pose of the centre of its top. */
+Eigen::Affine3f
+addTable (Scene& scene, const Eigen::Affine3f& pose, const Eigen::Vector3f& size);
+
+/** \brief Circles that do not overlap. */
+class FreeSpace {
+public:
+  /** \brief Draws centres until a circle of this radius is free there, and takes it. */
+  Eigen::Vector2f
+  take (float radius, const std::function<Eigen::Vector2f()>& draw_center);
+
+private:
+  struct Circle {
+    Eigen::Vector2f center;
+    float radius;
+  };
+
+  bool
+  isFree (const Circle& circle) const;
+
+  std::vector<Circle> taken_;
+};
+
+/** \brief Puts 60 objects on the xy plane of \a pose, within \a size around its origin:
+ * boxes, cylinders and spheres of 2 to 25 cm, flat ones of 1 cm, pairs that touch. */
+void
+addClutter (Scene& scene,
+            const Eigen::Affine3f& pose,
+            const Eigen::Vector2f& size,
+            Random& random);
+
+} // namespace rgbd_planes
+} // namespace pcl
