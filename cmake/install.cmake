@@ -12,7 +12,6 @@ install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfig.cmake
         DESTINATION ${config_dir})
 install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${config_dir})
 
-# PCL's pkg-config files carry its version in their names up to 1.12 and not from then on.
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/pcl_rgbd_planes.pc.in ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc

@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/console/print.h>
+#include <pcl/exceptions.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/PCLPointCloud2.h>
@@ -49,23 +50,51 @@ findField (const pcl::PCLPointCloud2& blob, const std::string& name)
   return nullptr;
 }
 
+struct Header {
+  /** Its data is as large as that of the file, but not read. */
+  pcl::PCLPointCloud2 cloud;
+  bool compressed = false;
+  std::size_t data_begin = 0;
+};
+
+Header
+readHeader (std::istream& stream, const std::string& file)
+{
+  Header header;
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  int version = 0, data_type = 0, result = -1;
+  unsigned data_begin = 0;
+  try {
+    result = pcl::PCDReader().readHeader (
+        stream, header.cloud, origin, orientation, version, data_type, data_begin);
+  }
+  catch (const std::exception&) {
+    // Words that are no numbers, numbers of no sense: the same to the user.
+  }
+  if (result < 0 || data_begin == 0 || header.cloud.fields.empty())
+    throw AppError (file +
+                    ": not a PCD file, or its header is damaged; give a .pcd file");
+  header.compressed = data_type == 2;
+  header.data_begin = data_begin;
+  return header;
+}
+
 /** PCDReader trusts the sizes in front of compressed data. */
 bool
-compressedSizesFit (std::istream& stream,
-                    std::uintmax_t bytes,
-                    std::size_t data_begin,
-                    std::size_t uncompressed)
+compressedSizesFit (std::istream& stream, std::uintmax_t bytes, const Header& header)
 {
   std::uint32_t sizes[2];
   stream.clear();
-  stream.seekg (static_cast<std::streamoff> (data_begin));
+  stream.seekg (static_cast<std::streamoff> (header.data_begin));
   return stream.read (reinterpret_cast<char*> (sizes), sizeof (sizes)) &&
-         data_begin + sizeof (sizes) + sizes[0] <= bytes && sizes[1] == uncompressed;
+         header.data_begin + sizeof (sizes) + sizes[0] <= bytes &&
+         sizes[1] == header.cloud.data.size();
 }
 
-/** PCDReader::read crashes or hangs on headers that are cut or no PCD at all. */
+/** PCDReader::read crashes or hangs where one of these is not as it should be. */
 void
-checkHeader (const std::string& file)
+checkFile (const std::string& file)
 {
   std::error_code error;
   const auto bytes = std::filesystem::file_size (file, error);
@@ -73,35 +102,41 @@ checkHeader (const std::string& file)
   if (error || !stream)
     throw AppError (file + ": cannot open this file: " +
                     (error ? error.message() : std::strerror (errno)));
-  pcl::PCLPointCloud2 header;
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  int version = 0, data_type = 0;
-  unsigned data_begin = 0;
-  const int result = pcl::PCDReader().readHeader (
-      stream, header, origin, orientation, version, data_type, data_begin);
-  if (result < 0 || data_begin == 0 || header.fields.empty())
-    throw AppError (file +
-                    ": not a PCD file, or its header is damaged; give a .pcd file");
+  const Header header = readHeader (stream, file);
+  const auto& cloud = header.cloud;
   for (const std::string name : {"x", "y", "z"}) {
-    const auto* field = findField (header, name);
+    const auto* field = findField (cloud, name);
     if (!field || field->datatype != pcl::PCLPointField::FLOAT32)
       throw AppError (file + ": the cloud has no 32-bit field '" + name +
                       "'; write it with x y z as floats");
   }
-  if (header.height < 2 || header.width < 2)
-    throw AppError (
-        file + ": the cloud is unorganized (" + std::to_string (header.width) + " x " +
-        std::to_string (header.height) +
-        "); record organized clouds (an image of points, missing ones as NaN), "
-        "or give the depth image");
-  const std::uint64_t size =
-      std::uint64_t{header.width} * header.height * header.point_step;
-  constexpr int compressed = 2;
-  if (header.data.size() != size ||
-      (data_type == compressed &&
-       !compressedSizesFit (stream, bytes, data_begin, header.data.size())))
+  if (cloud.height < 2 || cloud.width < 2)
+    throw AppError (file + ": the cloud is unorganized (" +
+                    std::to_string (cloud.width) + " x " +
+                    std::to_string (cloud.height) +
+                    "); record organized clouds (an image of points, missing ones as "
+                    "NaN), or give the depth image");
+  const auto size = std::uint64_t{cloud.width} * cloud.height * cloud.point_step;
+  if (cloud.data.size() != size ||
+      (header.compressed && !compressedSizesFit (stream, bytes, header)))
     throw damaged (file);
+}
+
+pcl::PCLPointCloud2
+readCloud (const std::string& file,
+           Eigen::Vector4f& origin,
+           Eigen::Quaternionf& orientation)
+{
+  pcl::PCLPointCloud2 cloud;
+  int version = 0;
+  try {
+    if (pcl::PCDReader().read (file, cloud, origin, orientation, version) == 0)
+      return cloud;
+  }
+  catch (const pcl::IOException&) {
+    // Said below.
+  }
+  throw damaged (file);
 }
 
 } // namespace
@@ -110,14 +145,10 @@ pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readOrganizedPcd (const std::string& file)
 {
   const QuietPcl quiet;
-  checkHeader (file);
-  pcl::PCLPointCloud2 blob;
+  checkFile (file);
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
-  int version = 0;
-  if (pcl::PCDReader().read (
-          file, blob, cloud->sensor_origin_, cloud->sensor_orientation_, version) < 0)
-    throw damaged (file);
-
+  const pcl::PCLPointCloud2 blob =
+      readCloud (file, cloud->sensor_origin_, cloud->sensor_orientation_);
   const std::size_t offsets[] = {findField (blob, "x")->offset,
                                  findField (blob, "y")->offset,
                                  findField (blob, "z")->offset};

@@ -14,6 +14,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <csignal>
 #include <iostream>
 
 namespace fs = std::filesystem;
@@ -21,6 +22,8 @@ namespace po = boost::program_options;
 using namespace pcl::rgbd_planes;
 
 namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
 
 struct Options {
   InputOptions input;
@@ -121,12 +124,52 @@ writeFrame (const fs::path& folder,
   write ("_labels.pcd", encodeLabels (*frame.cloud, segmenter.normals(), labels));
 }
 
-void
-showProgress (std::size_t done, std::size_t all)
+/** A line on the terminal that says how far the work is. */
+class Progress {
+public:
+  explicit Progress (std::size_t all)
+  : all_ (all)
+  , shown_ (all > 1 && ::isatty (STDERR_FILENO))
+  {}
+  Progress (const Progress&) = delete;
+  Progress&
+  operator= (const Progress&) = delete;
+  ~Progress()
+  {
+    if (shown_)
+      std::cerr << std::endl;
+  }
+
+  void
+  show (std::size_t frame) const
+  {
+    if (shown_)
+      std::cerr << "\rframe " << frame << " of " << all_ << std::flush;
+  }
+
+private:
+  std::size_t all_;
+  bool shown_;
+};
+
+std::vector<FrameSummary>
+segmentFrames (const FrameSource& source, const Options& options, OutputFiles& files)
 {
-  if (all > 1 && ::isatty (STDERR_FILENO))
-    std::cerr << "\rframe " << done << " of " << all << (done == all ? "\n" : "")
-              << std::flush;
+  std::signal (SIGINT, [] (int) { interrupted = 1; });
+  std::signal (SIGTERM, [] (int) { interrupted = 1; });
+  FrameSegmenter segmenter (options.min_inliers);
+  std::vector<FrameSummary> summaries;
+  const Progress progress (source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    progress.show (i + 1);
+    const Frame frame = source.read (i);
+    summaries.push_back (segmenter.segment (frame));
+    if (options.output)
+      writeFrame (*options.output, frame, segmenter, files);
+    if (interrupted)
+      throw AppError ("interrupted; nothing was written");
+  }
+  return summaries;
 }
 
 void
@@ -139,15 +182,7 @@ segmentPlanes (int argc, char** argv)
   OutputFiles files;
   prepareOutput (*options, files);
 
-  FrameSegmenter segmenter (options->min_inliers);
-  std::vector<FrameSummary> summaries;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const Frame frame = source.read (i);
-    summaries.push_back (segmenter.segment (frame));
-    if (options->output)
-      writeFrame (*options->output, frame, segmenter, files);
-    showProgress (i + 1, source.size());
-  }
+  const auto summaries = segmentFrames (source, *options, files);
 
   const std::string json = resultJson (options->input, summaries);
   if (options->output) {

@@ -89,12 +89,14 @@ depthPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
     std::nth_element (depths.begin(), nth, depths.end());
     return *nth;
   };
+  // The first colours of the map are too dark to tell from black.
+  constexpr float first = 40.f, last = 255.f;
   const float near = quantile (2), far = quantile (98);
-  const float scale = far > near ? 255.f / (far - near) : 0.f;
+  const float scale = far > near ? (last - first) / (far - near) : 0.f;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (std::isfinite (cloud[i].z))
       picture[i] = pcl::ViridisLUT::at (static_cast<std::size_t> (
-          std::clamp ((far - cloud[i].z) * scale, 0.f, 255.f)));
+          std::clamp (first + (far - cloud[i].z) * scale, first, last)));
   return picture;
 }
 

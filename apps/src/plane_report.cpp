@@ -144,7 +144,7 @@ planesCsv (const std::vector<FrameSummary>& frames)
     for (std::size_t id = 0; id < frame.planes.size(); ++id) {
       const PlaneSummary& plane = frame.planes[id];
       const auto& [a, b, c, d] = plane.coefficients;
-      csv += (boost::format ("%s,%d,%.9g,%.9g,%.9g,%.9g,%d,%.6g,%s\n") %
+      csv += (boost::format ("%s,%d,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%s\n") %
               quoted (frame.name) % id % a % b % c % d % plane.points % plane.rms %
               unknown_class)
                  .str();

@@ -87,6 +87,10 @@ TangentNormals::compute (const OrganizedPoints& points,
   if (points.size() == 0)
     return 0;
   parameters_ = parameters;
+  const float automatic = std::max (static_cast<float> (points.width) / 40.f, 6.f);
+  for (float* size : {&parameters_.smoothing_width, &parameters_.smoothing_height})
+    if (*size == 0.f)
+      *size = automatic;
   prepareWindows (points);
   std::fill_n (integralRow (0), ring_width_, Sums{});
   loadRow (points, 0, rows_[1]);

@@ -22,8 +22,9 @@ pcl::RGB
 planeColour (std::uint32_t id);
 
 /** \brief The planes of a frame: each in its planeColour(), black where depth is
- * missing, grey where there is no plane. \param[in] cloud an organized cloud, NaN where
- * depth is missing \param[in] labels the plane of each point
+ * missing, grey where there is no plane.
+ * \param[in] cloud an organized cloud, NaN where depth is missing
+ * \param[in] labels the plane of each point
  */
 Picture
 planesPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,

@@ -63,9 +63,10 @@ public:
     feature_name_ = "IntegralImageTangentNormalEstimation";
   }
 
-  /** \brief Width and height of the smoothing area in pixels; default 12. Where the
-   * area grows with range, this is its size at 1 m. \param[in] normal_smoothing_size
-   * more than 0; other values are refused with an error
+  /** \brief Width and height of the smoothing area in pixels. Where the area grows with
+   * range, this is its size at 1 m. Default: 1/40 of the image width, at least 6.
+   * \param[in] normal_smoothing_size more than 0; other values are refused with an
+   * error
    */
   void
   setNormalSmoothingSize (float normal_smoothing_size);

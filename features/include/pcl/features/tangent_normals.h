@@ -16,9 +16,10 @@ namespace rgbd_planes {
 
 struct TangentNormalParameters {
   /** Size of the smoothing area in pixels; where it grows with range, its size at 1 m.
-   */
-  float smoothing_width = 12.f;
-  float smoothing_height = 12.f;
+   * 0: 1/40 of the image width, at least 6, which is best for Kinect recordings at
+   * full, half and quarter resolution. */
+  float smoothing_width = 0.f;
+  float smoothing_height = 0.f;
   /** Let the area grow with range^(2/3) up to 8 m, which keeps the angular noise of a
    * structured-light sensor constant. */
   bool depth_dependent_smoothing = true;

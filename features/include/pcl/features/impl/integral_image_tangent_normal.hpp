@@ -18,10 +18,9 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setNormalSmoothingSiz
 {
   if (!(normal_smoothing_size > 0.f)) {
     PCL_ERROR ("[pcl::%s::setNormalSmoothingSize] The size must be more than 0 pixels, "
-               "got %g. Keeping %g.\n",
+               "got %g. Nothing changed.\n",
                feature_name_.c_str(),
-               normal_smoothing_size,
-               parameters_.smoothing_width);
+               normal_smoothing_size);
     return;
   }
   parameters_.smoothing_width = parameters_.smoothing_height = normal_smoothing_size;

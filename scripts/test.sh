@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Installs what is missing, checks the format, builds with warnings as errors, runs all tests.
+# Recordings are taken from the folder PCL_RGBD_PLANES_DATA, or ../shared/data where it exists.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+echo "== Installing what is missing"
+bash scripts/install_dependencies.sh
+
+echo "== Checking the format"
+git ls-files -z '*.h' '*.hpp' '*.cpp' | xargs -0 clang-format-14 --dry-run -Werror
+
+echo "== Building"
+data=${PCL_RGBD_PLANES_DATA:-}
+if [ -z "$data" ] && [ -d ../shared/data ]; then
+  data=$(cd ../shared/data && pwd)
+fi
+echo "Recordings: ${data:-none, the tests that need them are skipped}"
+cmake --preset ci -DPCL_RGBD_PLANES_DATA="$data"
+cmake --build build-ci
+
+echo "== Testing"
+ctest --test-dir build-ci --output-on-failure --parallel 2

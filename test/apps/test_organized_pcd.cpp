@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "files.h"
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/organized_pcd.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+
+pcl::PointCloud<pcl::PointXYZRGBL>
+someCloud ()
+{
+  pcl::PointCloud<pcl::PointXYZRGBL> cloud (16, 12);
+  for (std::uint32_t v = 0; v < cloud.height; ++v)
+    for (std::uint32_t u = 0; u < cloud.width; ++u) {
+      auto& point = cloud (u, v);
+      point.x = 0.01f * static_cast<float> (u) - 0.1f;
+      point.y = 0.02f * static_cast<float> (v);
+      point.z = 1.f + 0.001f * static_cast<float> (u * v);
+      point.r = static_cast<std::uint8_t> (u);
+      point.g = static_cast<std::uint8_t> (v);
+      point.b = 200;
+      point.label = u;
+    }
+  cloud (3, 4).x = cloud (3, 4).y = cloud (3, 4).z = missing;
+  cloud.sensor_orientation_ = Eigen::Quaternionf (0.f, 1.f, 0.f, 0.f);
+  return cloud;
+}
+
+template <typename PointT>
+void
+expectSameAsSomeCloud (const std::filesystem::path& file, bool coloured)
+{
+  pcl::PointCloud<PointT> cloud;
+  pcl::copyPointCloud (someCloud(), cloud);
+  for (int format = 0; format < 3; ++format) {
+    pcl::PCDWriter writer;
+    if (format == 0)
+      writer.writeASCII (file, cloud, 9);
+    else if (format == 1)
+      writer.writeBinary (file, cloud);
+    else
+      writer.writeBinaryCompressed (file, cloud);
+    const auto read = readOrganizedPcd (file);
+    const auto truth = someCloud();
+    ASSERT_EQ (read->width, truth.width);
+    ASSERT_EQ (read->height, truth.height);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (std::isnan (truth[i].x)) {
+        EXPECT_TRUE (std::isnan ((*read)[i].x) && std::isnan ((*read)[i].z));
+        continue;
+      }
+      EXPECT_EQ ((*read)[i].getVector3fMap(), truth[i].getVector3fMap()) << i;
+      EXPECT_EQ ((*read)[i].r, coloured ? truth[i].r : 0) << i;
+      EXPECT_EQ ((*read)[i].g, coloured ? truth[i].g : 0) << i;
+      EXPECT_EQ ((*read)[i].b, coloured ? truth[i].b : 0) << i;
+    }
+    EXPECT_EQ (read->sensor_orientation_.coeffs(), truth.sensor_orientation_.coeffs());
+  }
+}
+
+std::string
+messageOf (const std::filesystem::path& file)
+{
+  try {
+    readOrganizedPcd (file);
+  }
+  catch (const AppError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ (message.rfind (file.string() + ": ", 0), 0u) << message;
+    EXPECT_EQ (message.find ('\n'), std::string::npos) << message;
+    return message;
+  }
+  return "";
+}
+
+} // namespace
+
+TEST (OrganizedPcd, CoordinatesAndColourAreRead)
+{
+  const TemporaryFolder folder;
+  expectSameAsSomeCloud<pcl::PointXYZ> (folder / "xyz.pcd", false);
+  expectSameAsSomeCloud<pcl::PointXYZRGB> (folder / "rgb.pcd", true);
+  expectSameAsSomeCloud<pcl::PointXYZRGBA> (folder / "rgba.pcd", true);
+  expectSameAsSomeCloud<pcl::PointXYZRGBL> (folder / "label.pcd", true);
+}
+
+TEST (OrganizedPcd, FieldsMayComeInAnyOrder)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "order.pcd",
+             asciiPcd ("label z rgba y x",
+                       2,
+                       2,
+                       "7 3 66051 2 1\n7 6 1 5 4\n"
+                       "7 9 2 8 7\n7 12 3 11 10\n"));
+  const auto cloud = readOrganizedPcd (folder / "order.pcd");
+  EXPECT_EQ ((*cloud)[0].getVector3fMap(), Eigen::Vector3f (1.f, 2.f, 3.f));
+  EXPECT_EQ ((*cloud)[3].getVector3fMap(), Eigen::Vector3f (10.f, 11.f, 12.f));
+  EXPECT_EQ ((*cloud)[0].r, 1); // 66051 is 0x010203
+  EXPECT_EQ ((*cloud)[0].g, 2);
+  EXPECT_EQ ((*cloud)[0].b, 3);
+}
+
+TEST (OrganizedPcd, MissingDepthIsNaN)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "missing.pcd",
+             asciiPcd ("x y z", 2, 2, "0 0 0\n1 2 inf\nnan 1 1\n0 0 1\n"));
+  const auto cloud = readOrganizedPcd (folder / "missing.pcd");
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE (std::isnan ((*cloud)[i].x) && std::isnan ((*cloud)[i].y) &&
+                 std::isnan ((*cloud)[i].z))
+        << i;
+  EXPECT_EQ ((*cloud)[3].getVector3fMap(), Eigen::Vector3f (0.f, 0.f, 1.f));
+}
+
+TEST (OrganizedPcd, OtherFilesAreRefused)
+{
+  const TemporaryFolder folder;
+  EXPECT_NE (messageOf (folder / "missing.pcd").find ("cannot open"),
+             std::string::npos);
+  EXPECT_NE (messageOf (folder.path()).find ("cannot open"), std::string::npos);
+  writeFile (folder / "empty.pcd", "");
+  EXPECT_NE (messageOf (folder / "empty.pcd").find ("not a PCD"), std::string::npos);
+  writeFile (folder / "text.pcd", "no cloud\nat all\n");
+  EXPECT_NE (messageOf (folder / "text.pcd").find ("not a PCD"), std::string::npos);
+  writeFile (folder / "row.pcd", asciiPcd ("x y z", 2, 1, "1 1 1\n2 2 2\n"));
+  EXPECT_NE (messageOf (folder / "row.pcd").find ("unorganized"), std::string::npos);
+  writeFile (folder / "flat.pcd", asciiPcd ("x y", 2, 2, "1 1\n1 1\n1 1\n1 1\n"));
+  EXPECT_NE (messageOf (folder / "flat.pcd").find ("'z'"), std::string::npos);
+  writeFile (folder / "huge.pcd", asciiPcd ("x y z", 46000, 46000, "1 1 1\n"));
+  EXPECT_NE (messageOf (folder / "huge.pcd"), "");
+  std::string doubles = asciiPcd ("x y z", 2, 2, "1 1 1\n1 1 1\n1 1 1\n1 1 1\n");
+  doubles.replace (doubles.find ("SIZE 4"), 6, "SIZE 8");
+  writeFile (folder / "double.pcd", doubles);
+  EXPECT_NE (messageOf (folder / "double.pcd").find ("'x'"), std::string::npos);
+}
+
+TEST (OrganizedPcd, EveryTruncationIsRefused)
+{
+  const TemporaryFolder folder;
+  pcl::PCDWriter writer;
+  writer.writeBinary (folder / "binary.pcd", someCloud());
+  writer.writeBinaryCompressed (folder / "compressed.pcd", someCloud());
+  for (const std::string name : {"binary.pcd", "compressed.pcd"}) {
+    const std::string whole = readFile (folder / name);
+    const std::size_t header = whole.find ("DATA") + 50;
+    for (std::size_t size = 0; size < whole.size(); size += size < header ? 1 : 97) {
+      writeFile (folder / "part.pcd", whole.substr (0, size));
+      EXPECT_NE (messageOf (folder / "part.pcd"), "") << name << ", first " << size;
+    }
+  }
+}
+
+TEST (OrganizedPcd, WrongSizesOfCompressedDataAreRefused)
+{
+  const TemporaryFolder folder;
+  pcl::PCDWriter().writeBinaryCompressed (folder / "whole.pcd", someCloud());
+  const std::string whole = readFile (folder / "whole.pcd");
+  const std::size_t sizes = whole.find ("binary_compressed\n") + 18;
+  for (std::size_t i = sizes; i < sizes + 8; ++i) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char> (damaged[i] ^ 0x7f);
+    writeFile (folder / "damaged.pcd", damaged);
+    EXPECT_NE (messageOf (folder / "damaged.pcd"), "") << "byte " << i - sizes;
+  }
+}

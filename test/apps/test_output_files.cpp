@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "files.h"
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/output_files.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::rgbd_planes;
+using Names = std::vector<std::string>;
+
+TEST (OutputFiles, AppearWithCommit)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "old.txt", "old");
+  {
+    OutputFiles files;
+    files.createFolder (folder / "a/b");
+    files.write (folder / "a/b/new.txt", "");
+    files.write (folder / "old.txt", "new");
+    files.write (folder / "a/../a/b/new.txt", "contents");
+    EXPECT_EQ (readFile (folder / "old.txt"), "old");
+    EXPECT_FALSE (std::filesystem::exists (folder / "a/b/new.txt"));
+    files.commit();
+  }
+  EXPECT_EQ (readFile (folder / "old.txt"), "new");
+  EXPECT_EQ (readFile (folder / "a/b/new.txt"), "contents");
+  EXPECT_EQ (listFolder (folder.path()), (Names{"a", "old.txt"}));
+  EXPECT_EQ (listFolder (folder / "a/b"), Names{"new.txt"});
+}
+
+TEST (OutputFiles, LeaveNothingWithoutCommit)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory (folder / "a");
+  {
+    OutputFiles files;
+    files.createFolder (folder / "a/b/c/");
+    files.write (folder / "a/b/c/new.txt", "contents");
+  }
+  EXPECT_EQ (listFolder (folder.path()), Names{"a"});
+  EXPECT_EQ (listFolder (folder / "a"), Names{});
+}
+
+TEST (OutputFiles, ImpossiblePlacesAreRefused)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "file", "");
+  std::filesystem::create_directory (folder / "folder");
+  OutputFiles files;
+  EXPECT_THROW (files.createFolder (folder / "file"), AppError);
+  EXPECT_THROW (files.createFolder (folder / "file/folder"), AppError);
+  EXPECT_THROW (files.createFolder (""), AppError);
+  EXPECT_THROW (files.write (folder / "folder", ""), AppError);
+  EXPECT_THROW (files.write (folder / "nothing/file", ""), AppError);
+  EXPECT_THROW (files.write ("/dev/null", ""), AppError);
+  EXPECT_THROW (files.write ("/dev/full", ""), AppError);
+}

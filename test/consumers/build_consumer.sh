@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# build_consumer.sh find_package|add_subdirectory|pkg_config SOURCE BUILD LIBDIR: builds the
+# program of README.md against this project and runs it on a plane.
+set -euo pipefail
+way=$1 source=$2 build=$3 libdir=$4
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The first code block of README.md in a language.
+readme_block() {
+  awk -v fence="\`\`\`$1" '
+    $0 == fence && !done { inside = 1; next }
+    /^```/ && inside { inside = 0; done = 1 }
+    inside' "$source/README.md"
+}
+readme_block cpp >"$work/planes.cpp"
+prefix=$work/installed
+if [ "$way" != add_subdirectory ]; then
+  cmake --install "$build" --prefix "$prefix" >/dev/null
+fi
+
+case $way in
+  find_package)
+    readme_block cmake >"$work/CMakeLists.txt"
+    cmake -S "$work" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" >"$work/log" 2>&1 ||
+      { cat "$work/log"; exit 1; }
+    cmake --build "$work/build"
+    ;;
+  add_subdirectory)
+    cp "$source/test/consumers/add_subdirectory/CMakeLists.txt" "$work"
+    cmake -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Release \
+      -DPCL_RGBD_PLANES_SOURCE="$source" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+    cmake --build "$work/build" --parallel 2
+    ;;
+  pkg_config)
+    mkdir "$work/build"
+    export PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig
+    # shellcheck disable=SC2046
+    c++ "$work/planes.cpp" -o "$work/build/planes" \
+      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io)
+    export LD_LIBRARY_PATH=$prefix/$libdir
+    ;;
+esac
+
+# A wall 2 m away, seen by 64 x 48 pixels.
+{
+  printf '%s\n' 'VERSION .7' 'FIELDS x y z' 'SIZE 4 4 4' 'TYPE F F F' 'COUNT 1 1 1' \
+    'WIDTH 64' 'HEIGHT 48' 'VIEWPOINT 0 0 0 1 0 0 0' 'POINTS 3072' 'DATA ascii'
+  awk 'BEGIN { for (v = 0; v < 48; ++v) for (u = 0; u < 64; ++u)
+                 print (u - 31.5) / 52.5 * 2, (v - 23.5) / 52.5 * 2, 2 }'
+} >"$work/wall.pcd"
+"$work/build/planes" "$work/wall.pcd" | tee "$work/planes.txt"
+grep -q '0 x + -\?0 y + -1 z + 2 = 0, 3072 points' "$work/planes.txt"
