@@ -35,9 +35,9 @@ public:
   Item
   box (float smallest, float largest)
   {
-    return box (Vector3f (random_.uniform (smallest, largest),
-                          random_.uniform (smallest, largest),
-                          random_.uniform (smallest, 1.3f * largest)));
+    return box (Vector3f{random_.uniform (smallest, largest),
+                         random_.uniform (smallest, largest),
+                         random_.uniform (smallest, 1.3f * largest)});
   }
 
   Item
@@ -73,12 +73,12 @@ public:
   Item
   touchingPair ()
   {
-    const Vector3f a (random_.uniform (0.03f, 0.06f),
-                      random_.uniform (0.04f, 0.08f),
-                      random_.uniform (0.05f, 0.12f));
-    const Vector3f b (random_.uniform (0.03f, 0.06f),
-                      random_.uniform (0.04f, 0.08f),
-                      random_.uniform (0.05f, 0.12f));
+    const Vector3f a{random_.uniform (0.03f, 0.06f),
+                     random_.uniform (0.04f, 0.08f),
+                     random_.uniform (0.05f, 0.12f)};
+    const Vector3f b{random_.uniform (0.03f, 0.06f),
+                     random_.uniform (0.04f, 0.08f),
+                     random_.uniform (0.05f, 0.12f)};
     const Look look_a = newLook();
     const Look look_b = newLook();
     return {0.5f * std::hypot (a.x() + b.x(), std::max (a.y(), b.y())),
@@ -139,9 +139,10 @@ strongColor (Random& random)
 }
 
 Affine3f
-poseAt (float x, float y, float z, float yaw)
+poseAt (const Placement& placement)
 {
-  return Translation3f (x, y, z) * Eigen::AngleAxisf (yaw, Vector3f::UnitZ());
+  return Translation3f (placement.x, placement.y, placement.z) *
+         Eigen::AngleAxisf (placement.yaw, Vector3f::UnitZ());
 }
 
 void
@@ -217,7 +218,7 @@ addClutter (Scene& scene,
       const float x = random.uniform (-0.5f, 0.5f) * size.x();
       return Eigen::Vector2f (x, random.uniform (-0.5f, 0.5f) * size.y());
     });
-    item.add (pose * poseAt (spot.x(), spot.y(), 0.f, random.uniform (0.f, 3.14f)));
+    item.add (pose * poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 3.14f)}));
   }
 }
 

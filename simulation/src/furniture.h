@@ -16,9 +16,13 @@ namespace rgbd_planes {
 Eigen::Vector3f
 strongColor (Random& random);
 
-/** \brief The pose at (x, y, z), turned by \a yaw radians around the vertical axis. */
+/** \brief A place in metres and a turn around the vertical axis in radians. */
+struct Placement {
+  float x, y, z, yaw;
+};
+
 Eigen::Affine3f
-poseAt (float x, float y, float z, float yaw);
+poseAt (const Placement& placement);
 
 /** \brief Floor, ceiling and four walls. */
 struct Room {

@@ -18,13 +18,14 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int cylinder_sides = 128;
+constexpr std::size_t cylinder_sides = 128;
 
 /** A scene in Embree, in the camera frame: geometry i is surface i. */
 class RayTracer {
 public:
+  /** One instruction set, so that all processors get the same bytes. */
   explicit RayTracer (const std::vector<Surface>& surfaces)
-  : device_ (rtcNewDevice ("threads=1"), rtcReleaseDevice)
+  : device_ (rtcNewDevice ("threads=1,isa=sse2"), rtcReleaseDevice)
   , scene_ (rtcNewScene (device_.get()), rtcReleaseScene)
   {
     rtcSetSceneFlags (scene_.get(), RTC_SCENE_FLAG_ROBUST);
@@ -141,16 +142,17 @@ private:
         geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 2 * cylinder_sides);
     auto* triangles = newBuffer<std::array<unsigned, 3>> (
         geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 2 * cylinder_sides);
-    for (unsigned i = 0; i < cylinder_sides; ++i) {
+    for (std::size_t i = 0; i < cylinder_sides; ++i) {
       const float angle = 6.2831853f * static_cast<float> (i) / cylinder_sides;
       const Vector3f rim = Eigen::AngleAxisf (angle, axis.normalized()) * across;
-      for (unsigned end = 0; end < 2; ++end) {
+      for (std::size_t end = 0; end < 2; ++end) {
         const Vector3f vertex = surface.points[end] + rim;
         vertices[2 * i + end] = {{vertex.x(), vertex.y(), vertex.z()}};
       }
-      const unsigned next = 2 * ((i + 1) % cylinder_sides);
-      triangles[2 * i] = {{2 * i, 2 * i + 1, next}};
-      triangles[2 * i + 1] = {{next, 2 * i + 1, next + 1}};
+      const auto here = static_cast<unsigned> (2 * i);
+      const auto next = static_cast<unsigned> (2 * ((i + 1) % cylinder_sides));
+      triangles[2 * i] = {{here, here + 1, next}};
+      triangles[2 * i + 1] = {{next, here + 1, next + 1}};
     }
   }
 

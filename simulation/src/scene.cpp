@@ -16,14 +16,14 @@ constexpr int disc_corners = 96;
 } // namespace
 
 void
-Scene::setCamera (const Eigen::Vector3f& eye, const Eigen::Vector3f& target, float roll)
+Scene::setCamera (const View& view)
 {
-  const Eigen::Vector3f forward = (target - eye).normalized();
+  const Eigen::Vector3f forward = (view.target - view.eye).normalized();
   const Eigen::Vector3f right = forward.cross (Eigen::Vector3f::UnitZ()).normalized();
   Eigen::Matrix3f axes;
   axes << right, forward.cross (right), forward;
-  camera_to_base = Eigen::Translation3f (eye) * axes *
-                   Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ());
+  camera_to_base = Eigen::Translation3f (view.eye) * axes *
+                   Eigen::AngleAxisf (view.roll, Eigen::Vector3f::UnitZ());
 }
 
 Surface&

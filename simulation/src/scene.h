@@ -37,16 +37,21 @@ struct Look {
   std::uint32_t object = 0;
 };
 
+/** \brief A camera at \a eye that looks at \a target, turned clockwise by \a roll radians. */
+struct View {
+  Eigen::Vector3f eye;
+  Eigen::Vector3f target;
+  float roll;
+};
+
 /** \brief Surfaces in the base frame (x forward, y left, z up, the floor at z = 0,
  * metres) and where the camera is. */
 struct Scene {
   Eigen::Affine3f camera_to_base = Eigen::Affine3f::Identity();
   std::vector<Surface> surfaces;
 
-  /** \brief The camera at \a eye looks at \a target, turned clockwise by \a roll
-   * radians. */
   void
-  setCamera (const Eigen::Vector3f& eye, const Eigen::Vector3f& target, float roll);
+  setCamera (const View& view);
 
   Surface&
   addPolygon (const std::vector<Eigen::Vector3f>& corners, const Look& look);

@@ -16,6 +16,7 @@ namespace rgbd_planes {
 
 namespace {
 
+// Random numbers are drawn in braces, which have an order, never in two arguments of a call.
 using Eigen::Vector3f;
 
 const Vector3f dark (0.03f, 0.03f, 0.03f);
@@ -43,19 +44,19 @@ tableSingle (Random& random)
   addRoom (scene, {{-1.5f, -2.2f, 0.f}, {random.uniform (2.6f, 3.4f), 2.2f, 2.6f}});
   const float height = random.uniform (0.68f, 0.78f);
   const auto top = addTable (scene,
-                             poseAt (1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f)),
+                             poseAt ({1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f)}),
                              {0.7f, 1.2f, height});
-  const Vector3f size (random.uniform (0.07f, 0.1f),
-                       random.uniform (0.12f, 0.2f),
-                       random.uniform (0.15f, 0.25f));
-  const auto spot = poseAt (random.uniform (-0.15f, 0.05f),
-                            random.uniform (-0.15f, 0.15f),
-                            0.f,
-                            random.uniform (0.4f, 1.2f));
+  const Vector3f size{random.uniform (0.07f, 0.1f),
+                      random.uniform (0.12f, 0.2f),
+                      random.uniform (0.15f, 0.25f)};
+  const auto spot = poseAt ({random.uniform (-0.15f, 0.05f),
+                             random.uniform (-0.15f, 0.15f),
+                             0.f,
+                             random.uniform (0.4f, 1.2f)});
   scene.addBox (top * spot, size, {strongColor (random), 1});
-  scene.setCamera ({0.f, 0.f, random.uniform (1.25f, 1.5f)},
-                   {1.05f, random.uniform (-0.1f, 0.1f), height},
-                   random.uniform (-0.05f, 0.05f));
+  scene.setCamera ({{0.f, 0.f, random.uniform (1.25f, 1.5f)},
+                    {1.05f, random.uniform (-0.1f, 0.1f), height},
+                    random.uniform (-0.05f, 0.05f)});
   return scene;
 }
 
@@ -67,7 +68,7 @@ tableCluttered (Random& random)
   const float height = random.uniform (0.68f, 0.78f);
   const std::size_t first = scene.surfaces.size();
   const auto top = addTable (scene,
-                             poseAt (1.25f, 0.f, 0.f, random.uniform (-0.2f, 0.2f)),
+                             poseAt ({1.25f, 0.f, 0.f, random.uniform (-0.2f, 0.2f)}),
                              {0.9f, 1.5f, height});
   paint (scene,
          first,
@@ -75,9 +76,9 @@ tableCluttered (Random& random)
          {0.2f, 0.28f, 0.02f},
          dark);
   addClutter (scene, top, {0.75f, 1.1f}, random);
-  scene.setCamera ({0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.5f, 1.7f)},
-                   {1.2f, random.uniform (-0.1f, 0.1f), height},
-                   random.uniform (-0.05f, 0.05f));
+  scene.setCamera ({{0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.5f, 1.7f)},
+                    {1.2f, random.uniform (-0.1f, 0.1f), height},
+                    random.uniform (-0.05f, 0.05f)});
   return scene;
 }
 
@@ -85,9 +86,9 @@ Scene
 room (Random& random)
 {
   Scene scene;
-  const Vector3f far_corner (random.uniform (4.2f, 5.2f),
-                             random.uniform (2.f, 2.8f),
-                             random.uniform (2.4f, 2.7f));
+  const Vector3f far_corner{random.uniform (4.2f, 5.2f),
+                            random.uniform (2.f, 2.8f),
+                            random.uniform (2.4f, 2.7f)};
   addRoom (scene, {{-1.5f, random.uniform (-2.8f, -2.f), 0.f}, far_corner});
   paint (scene,
          0,
@@ -99,21 +100,21 @@ room (Random& random)
          {random.uniform (1.6f, 2.6f), far_corner.y(), 1.5f},
          {0.9f, 0.1f, 0.6f},
          dark);
-  scene.addBox (poseAt (far_corner.x() - 0.25f, far_corner.y() - 0.6f, 0.f, 0.f),
+  scene.addBox (poseAt ({far_corner.x() - 0.25f, far_corner.y() - 0.6f, 0.f, 0.f}),
                 {0.5f, 1.f, random.uniform (1.5f, 1.9f)},
                 {steel});
 
   const float height = random.uniform (0.68f, 0.78f);
   const auto top = addTable (scene,
-                             poseAt (random.uniform (1.7f, 1.9f),
-                                     random.uniform (-0.3f, 0.3f),
-                                     0.f,
-                                     random.uniform (-0.4f, 0.4f)),
+                             poseAt ({random.uniform (1.7f, 1.9f),
+                                      random.uniform (-0.3f, 0.3f),
+                                      0.f,
+                                      random.uniform (-0.4f, 0.4f)}),
                              {0.9f, 1.5f, height});
   addClutter (scene, top, {0.75f, 1.1f}, random);
-  scene.setCamera ({0.f, 0.f, random.uniform (1.35f, 1.5f)},
-                   {2.f, random.uniform (-0.3f, 0.3f), random.uniform (1.05f, 1.15f)},
-                   random.uniform (-0.04f, 0.04f));
+  scene.setCamera ({{0.f, 0.f, random.uniform (1.35f, 1.5f)},
+                    {2.f, random.uniform (-0.3f, 0.3f), random.uniform (1.05f, 1.15f)},
+                    random.uniform (-0.04f, 0.04f)});
   return scene;
 }
 
@@ -127,18 +128,19 @@ corridor (Random& random)
   addRoom (scene, {{-1.5f, right, 0.f}, {end, left, random.uniform (2.4f, 2.7f)}});
   for (const float side : {right, left}) {
     paint (scene, 0, {random.uniform (1.6f, 3.5f), side, 1.f}, {0.9f, 0.1f, 2.f}, door);
-    for (float x = random.uniform (1.8f, 2.6f); x < 5.f;
-         x += random.uniform (1.3f, 1.9f)) {
-      const Vector3f size (random.uniform (0.5f, 1.f),
-                           random.uniform (0.25f, 0.4f),
-                           random.uniform (0.9f, 1.8f));
+    float x = random.uniform (1.8f, 2.6f);
+    while (x < 5.f) {
+      const Vector3f size{random.uniform (0.5f, 1.f),
+                          random.uniform (0.25f, 0.4f),
+                          random.uniform (0.9f, 1.8f)};
       const float y = side + (side < 0.f ? 0.5f : -0.5f) * size.y();
-      scene.addBox (poseAt (x, y, 0.f, 0.f), size, {strongColor (random)});
+      scene.addBox (poseAt ({x, y, 0.f, 0.f}), size, {strongColor (random)});
+      x += random.uniform (1.3f, 1.9f);
     }
   }
-  scene.setCamera ({0.f, random.uniform (-0.25f, 0.25f), random.uniform (1.f, 1.4f)},
-                   {4.f, random.uniform (-0.4f, 0.4f), random.uniform (0.8f, 1.1f)},
-                   random.uniform (-0.03f, 0.03f));
+  scene.setCamera ({{0.f, random.uniform (-0.25f, 0.25f), random.uniform (1.f, 1.4f)},
+                    {4.f, random.uniform (-0.4f, 0.4f), random.uniform (0.8f, 1.1f)},
+                    random.uniform (-0.03f, 0.03f)});
   return scene;
 }
 
@@ -178,7 +180,7 @@ addObstacles (Scene& scene, FreeSpace& space, Random& random)
       const float x = random.uniform (nearest, farthest);
       return Eigen::Vector2f (x, x * slope);
     });
-    const auto pose = poseAt (spot.x(), spot.y(), 0.f, random.uniform (0.f, 1.57f));
+    const auto pose = poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 1.57f)});
     const Look look{strongColor (random), ++object};
     if (random.uniform (0.f, 1.f) < 0.3f)
       scene.addCylinder (pose, radius, height, look);
@@ -194,23 +196,25 @@ floorObstacles (Random& random)
   addRoom (scene, {{-1.5f, -2.6f, 0.f}, {random.uniform (5.f, 6.f), 2.6f, 2.6f}});
   paint (scene, 0, {1.6f, random.uniform (-0.3f, 0.3f), 0.f}, {0.8f, 0.6f, 0.02f}, rug);
   const float side = random.uniform (0.f, 1.f) < 0.5f ? 1.f : -1.f;
-  scene.addBox (poseAt (3.6f, 1.3f * side, 0.f, random.uniform (-0.2f, 0.2f)),
-                {1.2f, 1.2f, random.uniform (0.08f, 0.18f)},
+  const float step_height = random.uniform (0.08f, 0.18f);
+  scene.addBox (poseAt ({3.6f, 1.3f * side, 0.f, random.uniform (-0.2f, 0.2f)}),
+                {1.2f, 1.2f, step_height},
                 {steel});
+  const float ramp_height = random.uniform (0.1f, 0.18f);
   addRamp (scene,
-           poseAt (2.3f, -0.95f * side, 0.f, random.uniform (-0.2f, 0.2f)),
-           {1.f, 0.8f, random.uniform (0.1f, 0.18f)});
+           poseAt ({2.3f, -0.95f * side, 0.f, random.uniform (-0.2f, 0.2f)}),
+           {1.f, 0.8f, ramp_height});
   addTable (scene,
-            poseAt (4.2f, -0.2f * side, 0.f, random.uniform (-0.4f, 0.4f)),
+            poseAt ({4.2f, -0.2f * side, 0.f, random.uniform (-0.4f, 0.4f)}),
             {0.6f, 0.9f, 0.72f});
   FreeSpace space;
   space.take (0.87f, [&] { return Eigen::Vector2f (3.6f, 1.3f * side); });
   space.take (0.67f, [&] { return Eigen::Vector2f (2.8f, -0.95f * side); });
   space.take (0.55f, [&] { return Eigen::Vector2f (4.2f, -0.2f * side); });
   addObstacles (scene, space, random);
-  scene.setCamera ({0.f, 0.f, random.uniform (0.65f, 0.85f)},
-                   {1.8f, random.uniform (-0.1f, 0.1f), random.uniform (0.f, 0.1f)},
-                   random.uniform (-0.03f, 0.03f));
+  scene.setCamera ({{0.f, 0.f, random.uniform (0.65f, 0.85f)},
+                    {1.8f, random.uniform (-0.1f, 0.1f), random.uniform (0.f, 0.1f)},
+                    random.uniform (-0.03f, 0.03f)});
   return scene;
 }
 

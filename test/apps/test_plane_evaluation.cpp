@@ -145,7 +145,8 @@ TEST_F (PlaneEvaluationTest, ErrorsOfPlanesAreMeasuredAtTheirCentroid)
     const Eigen::Vector3f normal (std::sin (angle), 0.f, -std::cos (angle));
     const Eigen::Vector3f centroid (
         0.1f * (static_cast<float> (k) * 10.f + 4.5f) * z, 0.45f * z, z);
-    found_.coefficients[k] << normal, -normal.dot (centroid) + 0.02f;
+    found_.coefficients[k] = {
+        normal.x(), normal.y(), normal.z(), -normal.dot (centroid) + 0.02f};
   }
   const PlaneEvaluation result = evaluate();
   EXPECT_NEAR (result.medianAngleDegrees(), 7., 1e-3);
