@@ -25,12 +25,12 @@ const Vector3f red_wall (0.80f, 0.74f, 0.70f);
 /** A thing to put somewhere: how much room it needs and how to add it there. */
 struct Item {
   float radius;
-  std::function<void (const Affine3f&)> add;
+  std::function<void (Scene&, const Affine3f&)> add;
 };
 
 class ItemMaker {
 public:
-  ItemMaker (Scene& scene, Random& random) : scene_ (scene), random_ (random) {}
+  explicit ItemMaker (Random& random) : random_ (random) {}
 
   Item
   box (float smallest, float largest)
@@ -45,7 +45,9 @@ public:
   {
     const Look look = newLook();
     return {0.5f * size.head<2>().norm(),
-            [=] (const Affine3f& pose) { scene_.addBox (pose, size, look); }};
+            [size, look] (Scene& scene, const Affine3f& pose) {
+              scene.addBox (pose, size, look);
+            }};
   }
 
   Item
@@ -54,8 +56,8 @@ public:
     const Look look = newLook();
     const float radius = random_.uniform (0.015f, 0.045f);
     const float height = random_.uniform (0.04f, 0.2f);
-    return {radius, [=] (const Affine3f& pose) {
-              scene_.addCylinder (pose, radius, height, look);
+    return {radius, [=] (Scene& scene, const Affine3f& pose) {
+              scene.addCylinder (pose, radius, height, look);
             }};
   }
 
@@ -64,8 +66,8 @@ public:
   {
     const Look look = newLook();
     const float radius = random_.uniform (0.02f, 0.045f);
-    return {radius, [=] (const Affine3f& pose) {
-              scene_.addSphere (pose * Vector3f (0.f, 0.f, radius), radius, look);
+    return {radius, [=] (Scene& scene, const Affine3f& pose) {
+              scene.addSphere (pose * Vector3f (0.f, 0.f, radius), radius, look);
             }};
   }
 
@@ -82,9 +84,9 @@ public:
     const Look look_a = newLook();
     const Look look_b = newLook();
     return {0.5f * std::hypot (a.x() + b.x(), std::max (a.y(), b.y())),
-            [=] (const Affine3f& pose) {
-              scene_.addBox (pose * Translation3f (-0.5f * b.x(), 0.f, 0.f), a, look_a);
-              scene_.addBox (pose * Translation3f (0.5f * a.x(), 0.f, 0.f), b, look_b);
+            [=] (Scene& scene, const Affine3f& pose) {
+              scene.addBox (pose * Translation3f (-0.5f * b.x(), 0.f, 0.f), a, look_a);
+              scene.addBox (pose * Translation3f (0.5f * a.x(), 0.f, 0.f), b, look_b);
             }};
   }
 
@@ -95,15 +97,14 @@ private:
     return {strongColor (random_), ++objects_};
   }
 
-  Scene& scene_;
   Random& random_;
   std::uint32_t objects_ = 0;
 };
 
 std::vector<Item>
-makeClutter (Scene& scene, Random& random)
+makeClutter (Random& random)
 {
-  ItemMaker make (scene, random);
+  ItemMaker make (random);
   std::vector<Item> items;
   for (int i = 0; i < 3; ++i)
     items.push_back (make.box (0.12f, 0.18f));
@@ -213,12 +214,13 @@ addClutter (Scene& scene,
 {
   constexpr float gap = 0.005f;
   FreeSpace space;
-  for (const auto& item : makeClutter (scene, random)) {
+  for (const auto& item : makeClutter (random)) {
     const Eigen::Vector2f spot = space.take (item.radius + gap, [&] {
       const float x = random.uniform (-0.5f, 0.5f) * size.x();
       return Eigen::Vector2f (x, random.uniform (-0.5f, 0.5f) * size.y());
     });
-    item.add (pose * poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 3.14f)}));
+    item.add (scene,
+              pose * poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 3.14f)}));
   }
 }
 
