@@ -116,7 +116,7 @@ makeClutter (Random& random)
     items.push_back (make.box (0.02f, 0.08f));
   for (int i = 0; i < 15; ++i)
     items.push_back (make.cylinder());
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < 15; ++i)
     items.push_back (make.sphere());
   std::stable_sort (items.begin(), items.end(), [] (const Item& a, const Item& b) {
     return a.radius > b.radius;

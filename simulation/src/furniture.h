@@ -58,7 +58,7 @@ private:
   std::vector<Circle> taken_;
 };
 
-/** \brief Puts 60 objects on the xy plane of \a pose, within \a size around its origin:
+/** \brief Puts 65 objects on the xy plane of \a pose, within \a size around its origin:
  * boxes, cylinders and spheres of 2 to 25 cm, flat ones of 1 cm, pairs that touch. */
 void
 addClutter (Scene& scene,

@@ -47,12 +47,8 @@ Scene::addBox (const Eigen::Affine3f& pose,
     corner[i] = pose * Eigen::Vector3f (((i & 1) != 0 ? 0.5f : -0.5f) * size.x(),
                                         ((i & 2) != 0 ? 0.5f : -0.5f) * size.y(),
                                         (i & 4) != 0 ? size.z() : 0.f);
-  constexpr std::array<std::array<std::size_t, 4>, 6> faces{{{{0, 2, 3, 1}},
-                                                             {{4, 5, 7, 6}},
-                                                             {{0, 1, 5, 4}},
-                                                             {{2, 6, 7, 3}},
-                                                             {{0, 4, 6, 2}},
-                                                             {{1, 3, 7, 5}}}};
+  constexpr std::array<std::array<std::size_t, 4>, 5> faces{
+      {{{4, 5, 7, 6}}, {{0, 1, 5, 4}}, {{2, 6, 7, 3}}, {{0, 4, 6, 2}}, {{1, 3, 7, 5}}}};
   for (const auto& face : faces)
     addPolygon ({corner[face[0]], corner[face[1]], corner[face[2]], corner[face[3]]},
                 look);
@@ -64,16 +60,14 @@ Scene::addCylinder (const Eigen::Affine3f& pose,
                     float height,
                     const Look& look)
 {
-  for (const float z : {0.f, height}) {
-    std::vector<Eigen::Vector3f> rim;
-    for (int i = 0; i < disc_corners; ++i) {
-      const float angle = 6.2831853f * static_cast<float> (i) / disc_corners;
-      rim.push_back (pose * Eigen::Vector3f (radius * std::cos (angle),
-                                             radius * std::sin (angle),
-                                             z));
-    }
-    addPolygon (rim, look);
+  std::vector<Eigen::Vector3f> rim;
+  for (int i = 0; i < disc_corners; ++i) {
+    const float angle = 6.2831853f * static_cast<float> (i) / disc_corners;
+    rim.push_back (pose * Eigen::Vector3f (radius * std::cos (angle),
+                                           radius * std::sin (angle),
+                                           height));
   }
+  addPolygon (rim, look);
   Surface& side = addPolygon ({pose * Eigen::Vector3f (0.f, 0.f, 0.f),
                                pose * Eigen::Vector3f (0.f, 0.f, height)},
                               look);

@@ -56,11 +56,12 @@ struct Scene {
   Surface&
   addPolygon (const std::vector<Eigen::Vector3f>& corners, const Look& look);
 
-  /** \brief A box that stands on the xy plane of \a pose, centred above its origin. */
+  /** \brief A box that stands on the xy plane of \a pose, centred above its origin. The face
+   * it stands on is left out: rays along its rim could hit it instead of the floor. */
   void
   addBox (const Eigen::Affine3f& pose, const Eigen::Vector3f& size, const Look& look);
 
-  /** \brief A closed cylinder that stands on the xy plane of \a pose. */
+  /** \brief A cylinder that stands on the xy plane of \a pose, open there like a box. */
   void
   addCylinder (const Eigen::Affine3f& pose,
                float radius,
