@@ -2,27 +2,19 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/normal_report.h>
+#include <pcl/apps/statistics.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <ostream>
 #include <sstream>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-double
-median (std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
-}
 
 void
 addFigures (const NormalDeviations& deviations, nlohmann::ordered_json& json)
@@ -35,8 +27,8 @@ addFigures (const NormalDeviations& deviations, nlohmann::ordered_json& json)
 
 } // namespace
 
-void
-printNormalTable (std::ostream& stream, const std::vector<NormalResult>& results)
+std::string
+normalTable (const std::vector<NormalResult>& results)
 {
   std::ostringstream table;
   table << std::fixed;
@@ -65,7 +57,7 @@ printNormalTable (std::ostream& stream, const std::vector<NormalResult>& results
     }
     table << '\n';
   }
-  stream << table.str();
+  return table.str();
 }
 
 std::string
