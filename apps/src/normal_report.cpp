@@ -38,10 +38,12 @@ normalTable (const std::vector<NormalResult>& results)
     else
       table << std::setw (width) << std::setprecision (digits) << value;
   };
-  table << "method                      size   reference       ms    mean  median  "
-           ">25 deg  covered | interior >25 deg |   edges >25 deg\n"
-           "                                                         deg     deg      "
-           "    %        % | mean deg       % | mean deg      %\n";
+  // clang-format off
+  table << "method                      size   reference  "
+           "     ms    mean  median  >25 deg  covered | interior  >25 deg |    edges  >25 deg\n"
+           "                                              "
+           "            deg     deg        %        % | mean deg        % | mean deg        %\n";
+  // clang-format on
   for (const auto& result : results) {
     table << std::left << std::setw (28) << result.method << std::setw (7)
           << result.resolution << std::setw (11) << result.reference << std::right;
@@ -52,8 +54,8 @@ normalTable (const std::vector<NormalResult>& results)
     number (result.all.coveragePercent(), 9, 1);
     for (const auto* part : {&result.interior, &result.edges}) {
       table << " |";
-      number (part->mean(), 8, 2);
-      number (part->over25Percent(), 8, 2);
+      number (part->mean(), 9, 2);
+      number (part->over25Percent(), 9, 2);
     }
     table << '\n';
   }
