@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "files.h"
+#include "synthetic_clouds.h"
 #include <sys/wait.h>
 
 #include <pcl/apps/labelled_point.h>
@@ -32,18 +33,23 @@ struct Outcome {
 
 class SegmentPlanes : public testing::Test {
 protected:
-  /** Runs the application with arguments as a shell reads them, after \a before. */
+  /** Runs commands of a shell. */
   Outcome
-  run (const std::string& arguments, const std::string& before = "") const
+  shell (const std::string& commands) const
   {
-    const std::string command = "cd '" + folder_.path().string() + "' && " + before +
-                                " '" SEGMENT_PLANES "' " + arguments + " >'" +
-                                (logs_ / "out").string() + "' 2>'" +
-                                (logs_ / "err").string() + "'";
-    const int status = std::system (command.c_str());
+    const std::string line = "cd '" + folder_.path().string() + "' && { " + commands +
+                             "\n} >'" + (logs_ / "out").string() + "' 2>'" +
+                             (logs_ / "err").string() + "'";
+    const int status = std::system (line.c_str());
     return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
             readFile (logs_ / "out"),
             readFile (logs_ / "err")};
+  }
+
+  Outcome
+  run (const std::string& arguments, const std::string& before = "") const
+  {
+    return shell (before + " " + application_ + " " + arguments);
   }
 
   /** Bad usage and bad input: exit 1, one line on stderr that holds \a reason, no
@@ -76,6 +82,7 @@ protected:
     writePng (folder_ / name, 160, depth);
   }
 
+  const std::string application_ = "'" SEGMENT_PLANES "'";
   const std::string camera_ = " --intrinsics 131,131,79.5,59.5 --depth-scale 1000 ";
   const TemporaryFolder folder_;
   const TemporaryFolder logs_;
@@ -368,15 +375,23 @@ TEST_F (SegmentPlanes, FullDiskLeavesNothing)
 TEST_F (SegmentPlanes, FullStandardOutputIsAnError)
 {
   writeTwoWalls ("walls.png");
-  const std::string command = "cd '" + folder_.path().string() +
-                              "' && '" SEGMENT_PLANES "' walls.png --output out" +
-                              camera_ + ">/dev/full 2>'" + (logs_ / "err").string() +
-                              "'";
-  const int status = std::system (command.c_str());
-  EXPECT_EQ (WEXITSTATUS (status), 1);
-  EXPECT_EQ (readFile (logs_ / "err"),
-             "pcl_segment_planes: cannot write to standard output\n");
+  const Outcome result = run ("walls.png --output out" + camera_ + ">/dev/full");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err, "pcl_segment_planes: cannot write to standard output\n");
   EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"walls.png"});
+}
+
+TEST_F (SegmentPlanes, InterruptionLeavesNothing)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  for (int i = 0; i < 500; ++i)
+    writeTwoWalls ("in/" + std::to_string (i) + ".png");
+  const Outcome result = shell (application_ + " in --output out" + camera_ +
+                                "& pid=$!; until [ -e out ]; do :; done; "
+                                "kill -INT $pid; wait $pid");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err, "pcl_segment_planes: interrupted; nothing was written\n");
+  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
 }
 
 TEST_F (SegmentPlanes, HelpIsNoError)
@@ -389,9 +404,8 @@ TEST_F (SegmentPlanes, HelpIsNoError)
 
 TEST_F (SegmentPlanes, RealFrames)
 {
-  const std::filesystem::path data = DATA_FOLDER;
-  if (data.empty())
-    GTEST_SKIP() << "PCL_RGBD_PLANES_DATA is not set: no real recordings to test with";
+  SKIP_WITHOUT_RECORDINGS();
+  const std::filesystem::path data = synthetic::dataFolder();
   const std::string inputs[] = {
       (data / "kinect/office1.pcd").string(),
       (data / "mosd_learn/learn20.pcd").string(),
