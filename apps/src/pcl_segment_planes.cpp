@@ -114,8 +114,6 @@ writeFrame (const fs::path& folder,
 std::vector<FrameSummary>
 segmentFrames (const FrameSource& source, const Options& options, OutputFiles& files)
 {
-  std::signal (SIGINT, [] (int) { interrupted = 1; });
-  std::signal (SIGTERM, [] (int) { interrupted = 1; });
   FrameSegmenter segmenter (options.min_inliers);
   std::vector<FrameSummary> summaries;
   const Progress progress (source.size());
@@ -138,6 +136,8 @@ segmentPlanes (int argc, char** argv)
   if (!options)
     return;
   const FrameSource source (options->input);
+  std::signal (SIGINT, [] (int) { interrupted = 1; });
+  std::signal (SIGTERM, [] (int) { interrupted = 1; });
   OutputFiles files;
   prepareOutput (*options, files);
 

@@ -22,20 +22,29 @@ struct Outcome {
 class AppTest : public testing::Test {
 protected:
   /** \param[in] executable the path of the application */
-  explicit AppTest (const std::string& executable) : executable_ (executable) {}
+  explicit AppTest (const std::string& executable)
+  : application_ ("'" + executable + "'")
+  , name_ (std::filesystem::path (executable).filename())
+  {}
+
+  /** Runs commands of a shell. */
+  Outcome
+  shell (const std::string& commands) const
+  {
+    const std::string line = "cd '" + folder_.path().string() + "' && { " + commands +
+                             "\n} >'" + (logs_ / "out").string() + "' 2>'" +
+                             (logs_ / "err").string() + "'";
+    const int status = std::system (line.c_str());
+    return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
+            readFile (logs_ / "out"),
+            readFile (logs_ / "err")};
+  }
 
   /** Runs the application with arguments as a shell reads them, after \a before. */
   Outcome
   run (const std::string& arguments, const std::string& before = "") const
   {
-    const std::string command = "cd '" + folder_.path().string() + "' && " + before +
-                                " '" + executable_ + "' " + arguments + " >'" +
-                                (logs_ / "out").string() + "' 2>'" +
-                                (logs_ / "err").string() + "'";
-    const int status = std::system (command.c_str());
-    return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
-            readFile (logs_ / "out"),
-            readFile (logs_ / "err")};
+    return shell (before + " " + application_ + " " + arguments);
   }
 
   /** Bad usage and bad input: exit 1, one line on stderr that holds \a reason, no
@@ -49,8 +58,7 @@ protected:
     const Outcome result = run (arguments, before);
     EXPECT_EQ (result.code, 1) << arguments;
     EXPECT_EQ (result.out, "") << arguments;
-    const std::string name = std::filesystem::path (executable_).filename();
-    EXPECT_EQ (result.err.rfind (name + ": ", 0), 0u) << result.err;
+    EXPECT_EQ (result.err.rfind (name_ + ": ", 0), 0u) << result.err;
     EXPECT_EQ (std::count (result.err.begin(), result.err.end(), '\n'), 1)
         << result.err;
     EXPECT_EQ (result.err.back(), '\n') << result.err;
@@ -58,9 +66,9 @@ protected:
     EXPECT_EQ (listFolder (folder_.path()), files) << arguments;
   }
 
+  /** The application, as a shell reads it. */
+  const std::string application_;
+  const std::string name_;
   const TemporaryFolder folder_;
   const TemporaryFolder logs_;
-
-private:
-  const std::string executable_;
 };

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "app_test.h"
+#include "synthetic_clouds.h"
 
 #include <pcl/apps/labelled_point.h>
 #include <pcl/apps/pictures.h>
@@ -327,15 +328,23 @@ TEST_F (SegmentPlanes, FullDiskLeavesNothing)
 TEST_F (SegmentPlanes, FullStandardOutputIsAnError)
 {
   writeTwoWalls ("walls.png");
-  const std::string command = "cd '" + folder_.path().string() +
-                              "' && '" SEGMENT_PLANES "' walls.png --output out" +
-                              camera_ + ">/dev/full 2>'" + (logs_ / "err").string() +
-                              "'";
-  const int status = std::system (command.c_str());
-  EXPECT_EQ (WEXITSTATUS (status), 1);
-  EXPECT_EQ (readFile (logs_ / "err"),
-             "pcl_segment_planes: cannot write to standard output\n");
+  const Outcome result = run ("walls.png --output out" + camera_ + ">/dev/full");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err, "pcl_segment_planes: cannot write to standard output\n");
   EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"walls.png"});
+}
+
+TEST_F (SegmentPlanes, InterruptionLeavesNothing)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  for (int i = 0; i < 500; ++i)
+    writeTwoWalls ("in/" + std::to_string (i) + ".png");
+  const Outcome result = shell (application_ + " in --output out" + camera_ +
+                                "& pid=$!; until [ -e out ]; do :; done; "
+                                "kill -INT $pid; wait $pid");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err, "pcl_segment_planes: interrupted; nothing was written\n");
+  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
 }
 
 TEST_F (SegmentPlanes, HelpIsNoError)
@@ -348,9 +357,8 @@ TEST_F (SegmentPlanes, HelpIsNoError)
 
 TEST_F (SegmentPlanes, RealFrames)
 {
-  const std::filesystem::path data = PCL_RGBD_PLANES_DATA;
-  if (data.empty())
-    GTEST_SKIP() << "PCL_RGBD_PLANES_DATA is not set: no real recordings to test with";
+  SKIP_WITHOUT_RECORDINGS();
+  const std::filesystem::path data = synthetic::dataFolder();
   const std::string inputs[] = {
       (data / "kinect/office1.pcd").string(),
       (data / "mosd_learn/learn20.pcd").string(),
