@@ -2,12 +2,13 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/command_line.h>
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/progress.h>
 
-#include <boost/program_options.hpp>
+#include <boost/program_options/value_semantic.hpp>
 
 #include <iostream>
 
@@ -26,22 +27,9 @@ readEvaluationCommand (int argc,
   options.add_options() ("help", "print this help") (
       "json", po::value<std::string>()->value_name ("FILE"), "write the table as JSON");
   options.add (own).add (inputOptionsDescription());
-  po::options_description all;
-  all.add (options).add_options() ("input", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add ("input", -1);
   EvaluationCommand command;
-  po::variables_map& values = command.values;
-  try {
-    po::store (po::command_line_parser (argc, argv)
-                   .options (all)
-                   .positional (positional)
-                   .run(),
-               values);
-  }
-  catch (const po::error& error) {
-    throw AppError (std::string (error.what()) + "; see --help");
-  }
+  command.values = parseCommandLine (argc, argv, options, "input", -1);
+  const po::variables_map& values = command.values;
   if (values.count ("help")) {
     std::cout << usage << '\n' << input_help << '\n' << options;
     return std::nullopt;
@@ -67,7 +55,7 @@ runEvaluation (const EvaluationCommand& command,
                const std::function<std::string()>& json)
 {
   std::vector<FrameSource> sources;
-  std::size_t all = 0, done = 0;
+  std::size_t all = 0, frame = 0;
   for (const auto& input : command.inputs) {
     sources.emplace_back (input);
     all += sources.back().size();
@@ -76,12 +64,14 @@ runEvaluation (const EvaluationCommand& command,
   // An unwritable place is known before the work is done.
   if (command.json)
     files.write (*command.json, "");
-  for (const auto& source : sources)
-    for (std::size_t i = 0; i < source.size(); ++i) {
-      add (source.read (i));
-      showProgress (++done, all);
-    }
-
+  {
+    const Progress progress (all);
+    for (const auto& source : sources)
+      for (std::size_t i = 0; i < source.size(); ++i) {
+        progress.show (++frame);
+        add (source.read (i));
+      }
+  }
   std::cout << table();
   if (command.json)
     files.write (*command.json, json());

@@ -171,6 +171,7 @@ FrameSource::addSimulated (const std::string& scene_and_seed)
          SimulatedFrame simulated_frame = simulate (scene, seed, Sensor::kinect);
          frame.cloud = simulated_frame.cloud;
          frame.truth = simulated_frame.truth;
+         frame.true_planes = simulated_frame.planes;
        }});
 }
 

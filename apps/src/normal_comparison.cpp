@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/input_options.h>
 #include <pcl/apps/normal_comparison.h>
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
@@ -26,12 +27,6 @@ referenceRadius (bool is_far)
   if (is_far)
     return [] (float z) { return std::max (0.01f + 0.01f * z, 0.0085f * z * z); };
   return [] (float z) { return 0.01f + 0.01f * z; };
-}
-
-std::string
-resolutionName (std::uint32_t step)
-{
-  return step == 1 ? "vga" : step == 2 ? "qvga" : "qqvga";
 }
 
 } // namespace

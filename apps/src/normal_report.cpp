@@ -2,27 +2,19 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/normal_report.h>
+#include <pcl/apps/statistics.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <ostream>
 #include <sstream>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-double
-median (std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
-}
 
 void
 addFigures (const NormalDeviations& deviations, nlohmann::ordered_json& json)
@@ -35,8 +27,8 @@ addFigures (const NormalDeviations& deviations, nlohmann::ordered_json& json)
 
 } // namespace
 
-void
-printNormalTable (std::ostream& stream, const std::vector<NormalResult>& results)
+std::string
+normalTable (const std::vector<NormalResult>& results)
 {
   std::ostringstream table;
   table << std::fixed;
@@ -46,10 +38,12 @@ printNormalTable (std::ostream& stream, const std::vector<NormalResult>& results
     else
       table << std::setw (width) << std::setprecision (digits) << value;
   };
-  table << "method                      size   reference       ms    mean  median  "
-           ">25 deg  covered | interior >25 deg |   edges >25 deg\n"
-           "                                                         deg     deg      "
-           "    %        % | mean deg       % | mean deg      %\n";
+  // clang-format off
+  table << "method                      size   reference  "
+           "     ms    mean  median  >25 deg  covered | interior  >25 deg |    edges  >25 deg\n"
+           "                                              "
+           "            deg     deg        %        % | mean deg        % | mean deg        %\n";
+  // clang-format on
   for (const auto& result : results) {
     table << std::left << std::setw (28) << result.method << std::setw (7)
           << result.resolution << std::setw (11) << result.reference << std::right;
@@ -60,12 +54,12 @@ printNormalTable (std::ostream& stream, const std::vector<NormalResult>& results
     number (result.all.coveragePercent(), 9, 1);
     for (const auto* part : {&result.interior, &result.edges}) {
       table << " |";
-      number (part->mean(), 8, 2);
-      number (part->over25Percent(), 8, 2);
+      number (part->mean(), 9, 2);
+      number (part->over25Percent(), 9, 2);
     }
     table << '\n';
   }
-  stream << table.str();
+  return table.str();
 }
 
 std::string

@@ -11,8 +11,10 @@ namespace {
 
 const char usage[] =
     "pcl_evaluate_planes INPUT... [options]\n\n"
-    "Compares our planes and those of PCL's OrganizedMultiPlaneSegmentation with true ones"
-    "\nwhere the input is simulated, after Hoover et al. (1996) at 80 % overlap. All frames"
+    "Compares our planes and those of PCL's OrganizedMultiPlaneSegmentation with true "
+    "ones"
+    "\nwhere the input is simulated, after Hoover et al. (1996) at 80 % overlap. All "
+    "frames"
     "\nof all inputs count together; without --resolution, each of the three is tried."
     "\nTimes are of one thread and include the normals. Labelled points further than"
     "\n5 mm + 4 mm z^2 from their plane are off.\n";

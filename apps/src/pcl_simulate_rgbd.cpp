@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/command_line.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/parse_number.h>
@@ -60,7 +61,7 @@ printHelp (const po::options_description& options)
 
 /** Nothing where only help was asked for, which is printed. */
 std::optional<Options>
-parseCommandLine (int argc, char** argv)
+readOptions (int argc, char** argv)
 {
   const auto text = [] (const char* name) {
     return po::value<std::string>()->value_name (name);
@@ -75,21 +76,7 @@ parseCommandLine (int argc, char** argv)
       text ("vga|qvga|qqvga")->default_value ("vga"),
       "take every 1st, 2nd or 4th pixel") (
       "output", text ("DIR"), "write the files there");
-  po::options_description all;
-  all.add (options).add_options() ("scene", po::value<std::string>());
-  po::variables_map values;
-  try {
-    po::positional_options_description positional;
-    positional.add ("scene", 1);
-    po::store (po::command_line_parser (argc, argv)
-                   .options (all)
-                   .positional (positional)
-                   .run(),
-               values);
-  }
-  catch (const po::error& error) {
-    throw AppError (std::string (error.what()) + "; see --help");
-  }
+  const po::variables_map values = parseCommandLine (argc, argv, options, "scene", 1);
   if (values.count ("help")) {
     printHelp (options);
     return std::nullopt;
@@ -101,13 +88,14 @@ parseCommandLine (int argc, char** argv)
 
   const auto value = [&] (const char* name) { return values[name].as<std::string>(); };
   const auto seed = parseNumber<unsigned> ("--seed", value ("seed"));
-  return Options{value ("scene"),
+  const std::string scene = values["scene"].as<std::vector<std::string>>().front();
+  return Options{scene,
                  seed,
                  parseSensor (value ("sensor")),
                  parseResolution (value ("resolution")),
                  value ("output"),
-                 value ("scene") + '_' + std::to_string (seed) + '_' +
-                     value ("sensor") + '_' + value ("resolution")};
+                 scene + '_' + std::to_string (seed) + '_' + value ("sensor") + '_' +
+                     value ("resolution")};
 }
 
 template <typename PointT>
@@ -145,7 +133,7 @@ planeLabels (const pcl::PointCloud<TruthPoint>& truth)
 void
 simulateRgbd (int argc, char** argv)
 {
-  const auto options = parseCommandLine (argc, argv);
+  const auto options = readOptions (argc, argv);
   if (!options)
     return;
   const auto frame = simulate (options->scene, options->seed, options->sensor);

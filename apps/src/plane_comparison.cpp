@@ -55,8 +55,7 @@ PlaneComparison::add (const Frame& frame)
       throw AppError (frame.name + ": is too small as " + results_[i].resolution +
                       ", 40 x 40 pixels are needed; use --resolution vga or larger "
                       "frames");
-    const auto min_points =
-        static_cast<unsigned> (cloud->size() * 1000 / (640 * 480));
+    const auto min_points = static_cast<unsigned> (cloud->size() * 1000 / (640 * 480));
     // The first run pays for memory that later ones find in place.
     if (run.points != cloud->size())
       run.method.compute (cloud, min_points, run.found);
@@ -72,7 +71,7 @@ PlaneComparison::add (const Frame& frame)
 }
 
 std::string
-PlaneComparison::table () const
+PlaneComparison::table() const
 {
   std::string text =
       "method        size        ms  truth  found  correct   over  under  missed  noise"
@@ -90,10 +89,11 @@ PlaneComparison::table () const
                e.missed % e.noise % e.f1() % e.meanIou())
                   .str();
     else
-      text += (boost::format ("%6s %6s %8s %6s %6s %7s %6s %5s %5s") % '-' % '-' % '-' %
-               '-' % '-' % '-' % '-' % '-' % '-')
+      text += (boost::format ("%6s %6d %8s %6s %6s %7s %6s %5s %5s") % '-' %
+               e.planes_found % '-' % '-' % '-' % '-' % '-' % '-' % '-')
                   .str();
-    text += (boost::format (" %8.1f %6.2f") % e.coveragePercent() % e.offPercent()).str();
+    text +=
+        (boost::format (" %8.1f %6.2f") % e.coveragePercent() % e.offPercent()).str();
     if (e.hasTruth())
       text += (boost::format (" %7.2f %9.2f") % e.medianAngleDegrees() %
                e.medianDistanceMillimetres())
@@ -106,7 +106,7 @@ PlaneComparison::table () const
 }
 
 std::string
-PlaneComparison::json () const
+PlaneComparison::json() const
 {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const auto& result : results_) {
@@ -114,23 +114,23 @@ PlaneComparison::json () const
     const auto withTruth = [&e] (const nlohmann::ordered_json& value) {
       return e.hasTruth() ? value : nlohmann::ordered_json();
     };
-    rows.push_back ({{"method", result.method},
-                     {"resolution", result.resolution},
-                     {"ms_median", median (result.milliseconds)},
-                     {"planes_truth", withTruth (e.planes_truth)},
-                     {"planes_found", withTruth (e.planes_found)},
-                     {"correct_80", withTruth (e.correct)},
-                     {"over", withTruth (e.over)},
-                     {"under", withTruth (e.under)},
-                     {"missed", withTruth (e.missed)},
-                     {"noise", withTruth (e.noise)},
-                     {"f1_50", withTruth (e.f1())},
-                     {"mean_iou", withTruth (e.meanIou())},
-                     {"coverage_percent", e.coveragePercent()},
-                     {"off_percent", e.offPercent()},
-                     {"median_angle_error_deg", withTruth (e.medianAngleDegrees())},
-                     {"median_distance_error_mm",
-                      withTruth (e.medianDistanceMillimetres())}});
+    rows.push_back (
+        {{"method", result.method},
+         {"resolution", result.resolution},
+         {"ms_median", median (result.milliseconds)},
+         {"planes_truth", withTruth (e.planes_truth)},
+         {"planes_found", e.planes_found},
+         {"correct_80", withTruth (e.correct)},
+         {"over", withTruth (e.over)},
+         {"under", withTruth (e.under)},
+         {"missed", withTruth (e.missed)},
+         {"noise", withTruth (e.noise)},
+         {"f1_50", withTruth (e.f1())},
+         {"mean_iou", withTruth (e.meanIou())},
+         {"coverage_percent", e.coveragePercent()},
+         {"off_percent", e.offPercent()},
+         {"median_angle_error_deg", withTruth (e.medianAngleDegrees())},
+         {"median_distance_error_mm", withTruth (e.medianDistanceMillimetres())}});
   }
   return nlohmann::ordered_json ({{"results", rows}}).dump (2) + '\n';
 }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/plane_evaluation.h>
+#include <pcl/apps/statistics.h>
 #include <pcl/segmentation/plane_assignment.h>
 
 #include <algorithm>
@@ -19,16 +20,6 @@ double
 percent (std::size_t part, std::size_t whole)
 {
   return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole) : 0.;
-}
-
-double
-median (std::vector<double> values)
-{
-  if (values.empty())
-    return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** Counts the wholes that are covered by several parts, and marks both as explained.
@@ -105,6 +96,13 @@ struct PlaneEvaluation::Regions {
 void
 PlaneEvaluation::add (const OrganizedPoints& points, const PlaneSet& found)
 {
+  planes_found += found.coefficients.size();
+  addPoints (points, found);
+}
+
+void
+PlaneEvaluation::addPoints (const OrganizedPoints& points, const PlaneSet& found)
+{
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float* p = points[i];
     if (!isMeasured (p))
@@ -125,7 +123,7 @@ PlaneEvaluation::add (const OrganizedPoints& points,
                       const PlaneSet& truth,
                       std::size_t min_points)
 {
-  add (points, found);
+  addPoints (points, found);
   has_truth_ = true;
   Regions regions;
   regions.truths = truth.coefficients.size();
@@ -193,6 +191,7 @@ PlaneEvaluation::countRegions (const Regions& regions)
   for (std::size_t f = 0; f < regions.founds; ++f)
     if (regions.found_counts[f]) {
       ++planes_found;
+      ++found_with_truth_;
       noise += !found_explained[f];
     }
 }
@@ -237,7 +236,7 @@ PlaneEvaluation::matchPlanes (const OrganizedPoints& points,
 double
 PlaneEvaluation::f1() const
 {
-  const std::size_t all = planes_truth + planes_found;
+  const std::size_t all = planes_truth + found_with_truth_;
   return all ? 2. * static_cast<double> (pairs_) / static_cast<double> (all) : 0.;
 }
 

@@ -10,12 +10,22 @@
 namespace pcl {
 namespace rgbd_planes {
 
-void
-showProgress (std::size_t done, std::size_t all)
+Progress::Progress (std::size_t all)
+: all_ (all)
+, shown_ (all > 1 && ::isatty (STDERR_FILENO))
+{}
+
+Progress::~Progress()
 {
-  if (all > 1 && ::isatty (STDERR_FILENO))
-    std::cerr << "\rframe " << done << " of " << all << (done == all ? "\n" : "")
-              << std::flush;
+  if (shown_)
+    std::cerr << std::endl;
+}
+
+void
+Progress::show (std::size_t frame) const
+{
+  if (shown_)
+    std::cerr << "\rframe " << frame << " of " << all_ << std::flush;
 }
 
 } // namespace rgbd_planes

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "files.h"
+#include "app_test.h"
 #include "synthetic_clouds.h"
-#include <sys/wait.h>
 
 #include <pcl/io/pcd_io.h>
 
@@ -11,47 +10,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cstdlib>
-
 using nlohmann::json;
 
 namespace {
 
-struct Outcome {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-class EvaluateNormals : public testing::Test {
+class EvaluateNormals : public AppTest {
 protected:
-  Outcome
-  run (const std::string& arguments) const
-  {
-    const std::string line =
-        "cd '" + folder_.path().string() + "' && '" EVALUATE_NORMALS "' " + arguments +
-        " >'" + (logs_ / "out").string() + "' 2>'" + (logs_ / "err").string() + "'";
-    const int status = std::system (line.c_str());
-    return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
-            readFile (logs_ / "out"),
-            readFile (logs_ / "err")};
-  }
-
-  /** Exit 1, one line on stderr that holds \a reason, no output. */
-  void
-  expectRefused (const std::string& arguments, const std::string& reason) const
-  {
-    const auto files = listFolder (folder_.path());
-    const Outcome result = run (arguments);
-    EXPECT_EQ (result.code, 1) << arguments;
-    EXPECT_EQ (result.out, "") << arguments;
-    EXPECT_EQ (result.err.rfind ("pcl_evaluate_normals: ", 0), 0u) << result.err;
-    EXPECT_EQ (std::count (result.err.begin(), result.err.end(), '\n'), 1)
-        << result.err;
-    EXPECT_NE (result.err.find (reason), std::string::npos) << result.err;
-    EXPECT_EQ (listFolder (folder_.path()), files) << arguments;
-  }
+  EvaluateNormals() : AppTest (EVALUATE_NORMALS) {}
 
   void
   writePlane (const std::string& name, int width) const
@@ -62,9 +27,6 @@ protected:
              {synthetic::tiltedPlane (1.f, 10.f, 5.f)}, width, width * 3 / 4)
              .cloud);
   }
-
-  const TemporaryFolder folder_;
-  const TemporaryFolder logs_;
 };
 
 json

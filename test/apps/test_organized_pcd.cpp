@@ -142,8 +142,12 @@ TEST (OrganizedPcd, OtherFilesAreRefused)
   EXPECT_NE (messageOf (folder / "row.pcd").find ("unorganized"), std::string::npos);
   writeFile (folder / "flat.pcd", asciiPcd ("x y", 2, 2, "1 1\n1 1\n1 1\n1 1\n"));
   EXPECT_NE (messageOf (folder / "flat.pcd").find ("'z'"), std::string::npos);
-  writeFile (folder / "huge.pcd", asciiPcd ("x y z", 46000, 46000, "1 1 1\n"));
-  EXPECT_NE (messageOf (folder / "huge.pcd"), "");
+  // The product of these is 0 in 32 bits.
+  std::string huge = asciiPcd ("x y z", 2, 2, "1 1 1\n");
+  huge.replace (huge.find ("WIDTH 2"), 16, "WIDTH 65536\nHEIGHT 65536");
+  huge.replace (huge.find ("POINTS 4"), 8, "POINTS 0");
+  writeFile (folder / "huge.pcd", huge);
+  EXPECT_NE (messageOf (folder / "huge.pcd").find ("damaged"), std::string::npos);
   std::string doubles = asciiPcd ("x y z", 2, 2, "1 1 1\n1 1 1\n1 1 1\n1 1 1\n");
   doubles.replace (doubles.find ("SIZE 4"), 6, "SIZE 8");
   writeFile (folder / "double.pcd", doubles);

@@ -172,5 +172,6 @@ TEST_F (PlaneEvaluationTest, WithoutTruthOnlyCoverageAndOffAreKnown)
   evaluation.add (points(), found_);
   EXPECT_FALSE (evaluation.hasTruth());
   EXPECT_EQ (evaluation.planes_truth, 0u);
+  EXPECT_EQ (evaluation.planes_found, 4u);
   EXPECT_DOUBLE_EQ (evaluation.coveragePercent(), 100.);
 }

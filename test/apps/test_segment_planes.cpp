@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "files.h"
-#include <sys/wait.h>
+#include "app_test.h"
+#include "synthetic_clouds.h"
 
 #include <pcl/apps/labelled_point.h>
 #include <pcl/apps/pictures.h>
@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -24,46 +23,9 @@ using nlohmann::json;
 
 namespace {
 
-struct Outcome {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-class SegmentPlanes : public testing::Test {
+class SegmentPlanes : public AppTest {
 protected:
-  /** Runs the application with arguments as a shell reads them, after \a before. */
-  Outcome
-  run (const std::string& arguments, const std::string& before = "") const
-  {
-    const std::string command = "cd '" + folder_.path().string() + "' && " + before +
-                                " '" SEGMENT_PLANES "' " + arguments + " >'" +
-                                (logs_ / "out").string() + "' 2>'" +
-                                (logs_ / "err").string() + "'";
-    const int status = std::system (command.c_str());
-    return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
-            readFile (logs_ / "out"),
-            readFile (logs_ / "err")};
-  }
-
-  /** Bad usage and bad input: exit 1, one line on stderr that holds \a reason, no
-   * output. */
-  void
-  expectRefused (const std::string& arguments,
-                 const std::string& reason,
-                 const std::string& before = "") const
-  {
-    const auto files = listFolder (folder_.path());
-    const Outcome result = run (arguments, before);
-    EXPECT_EQ (result.code, 1) << arguments;
-    EXPECT_EQ (result.out, "") << arguments;
-    EXPECT_EQ (result.err.rfind ("pcl_segment_planes: ", 0), 0u) << result.err;
-    EXPECT_EQ (std::count (result.err.begin(), result.err.end(), '\n'), 1)
-        << result.err;
-    EXPECT_EQ (result.err.back(), '\n') << result.err;
-    EXPECT_NE (result.err.find (reason), std::string::npos) << result.err;
-    EXPECT_EQ (listFolder (folder_.path()), files) << arguments;
-  }
+  SegmentPlanes() : AppTest (SEGMENT_PLANES) {}
 
   /** A depth image of 160 x 120, 1 mm units: a wall at 1 m left, one at 1.5 m right,
    * the four top rows missing. */
@@ -77,8 +39,6 @@ protected:
   }
 
   const std::string camera_ = " --intrinsics 131,131,79.5,59.5 --depth-scale 1000 ";
-  const TemporaryFolder folder_;
-  const TemporaryFolder logs_;
 };
 
 struct CsvPlane {
@@ -368,15 +328,23 @@ TEST_F (SegmentPlanes, FullDiskLeavesNothing)
 TEST_F (SegmentPlanes, FullStandardOutputIsAnError)
 {
   writeTwoWalls ("walls.png");
-  const std::string command = "cd '" + folder_.path().string() +
-                              "' && '" SEGMENT_PLANES "' walls.png --output out" +
-                              camera_ + ">/dev/full 2>'" + (logs_ / "err").string() +
-                              "'";
-  const int status = std::system (command.c_str());
-  EXPECT_EQ (WEXITSTATUS (status), 1);
-  EXPECT_EQ (readFile (logs_ / "err"),
-             "pcl_segment_planes: cannot write to standard output\n");
+  const Outcome result = run ("walls.png --output out" + camera_ + ">/dev/full");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err, "pcl_segment_planes: cannot write to standard output\n");
   EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"walls.png"});
+}
+
+TEST_F (SegmentPlanes, InterruptionLeavesNothing)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  for (int i = 0; i < 500; ++i)
+    writeTwoWalls ("in/" + std::to_string (i) + ".png");
+  const Outcome result = shell (application_ + " in --output out" + camera_ +
+                                "& pid=$!; until [ -e out ]; do :; done; "
+                                "kill -INT $pid; wait $pid");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err, "pcl_segment_planes: interrupted; nothing was written\n");
+  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
 }
 
 TEST_F (SegmentPlanes, HelpIsNoError)
@@ -389,9 +357,8 @@ TEST_F (SegmentPlanes, HelpIsNoError)
 
 TEST_F (SegmentPlanes, RealFrames)
 {
-  const std::filesystem::path data = DATA_FOLDER;
-  if (data.empty())
-    GTEST_SKIP() << "PCL_RGBD_PLANES_DATA is not set: no real recordings to test with";
+  SKIP_WITHOUT_RECORDINGS();
+  const std::filesystem::path data = synthetic::dataFolder();
   const std::string inputs[] = {
       (data / "kinect/office1.pcd").string(),
       (data / "mosd_learn/learn20.pcd").string(),

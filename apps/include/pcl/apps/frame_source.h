@@ -42,6 +42,8 @@ struct Frame {
   pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud;
   /** What the pixels of a simulated frame truly see; null for others. */
   pcl::PointCloud<TruthPoint>::Ptr truth;
+  /** The planes of a simulated frame, see SimulatedFrame::planes. */
+  std::vector<Eigen::Vector4f> true_planes;
 };
 
 /** \brief The frames of an INPUT, each read when it is asked for. Throws AppError where

@@ -5,7 +5,6 @@
 
 #include <pcl/apps/normal_comparison.h>
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,8 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief The table for people. */
-void
-printNormalTable (std::ostream& stream, const std::vector<NormalResult>& results);
+std::string
+normalTable (const std::vector<NormalResult>& results);
 
 /** \brief {"results": [{"method", "resolution", "ms_median", "mean_deg", "median_deg",
  * "over_25_percent", "coverage_percent", "reference", "interior", "edges"}, ...]}; the

@@ -89,6 +89,9 @@ private:
   struct Regions;
 
   void
+  addPoints (const OrganizedPoints& points, const PlaneSet& found);
+
+  void
   countRegions (const Regions& regions);
 
   void
@@ -98,6 +101,7 @@ private:
                const Regions& regions);
 
   bool has_truth_ = false;
+  std::size_t found_with_truth_ = 0;
   std::size_t measured_ = 0;
   std::size_t labelled_ = 0;
   std::size_t off_ = 0;

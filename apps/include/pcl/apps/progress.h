@@ -8,10 +8,24 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Says on stderr how many frames are done, where that is a terminal and there
- * are several. */
-void
-showProgress (std::size_t done, std::size_t all);
+/** \brief A line on stderr that says how far the work is, where that is a terminal and
+ * there are several frames. */
+class Progress {
+public:
+  explicit Progress (std::size_t all);
+  Progress (const Progress&) = delete;
+  Progress&
+  operator= (const Progress&) = delete;
+  ~Progress();
+
+  /** \brief Says that \a frame, counted from 1, is being worked on. */
+  void
+  show (std::size_t frame) const;
+
+private:
+  std::size_t all_;
+  bool shown_;
+};
 
 } // namespace rgbd_planes
 } // namespace pcl

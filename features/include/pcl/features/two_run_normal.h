@@ -65,7 +65,8 @@ public:
    * of the sensor, as the \c sensor_orientation_ of the input has it, so that z is the
    * third coordinate of clouds in the frame of their camera. In any other frame \c
    * sensor_orientation_ must be set, or \a linear be 0. Whether the axis points
-   * forwards or backwards does not matter. \param[in] constant in metres, 0 or more
+   * forwards or backwards does not matter.
+   * \param[in] constant in metres, 0 or more
    * \param[in] linear 0 or more, not 0 if \a constant is; other values are refused with
    * an error
    */
@@ -77,7 +78,9 @@ public:
 
   /** \brief Neighbours within max (\a constant + \a linear * z, \a quadratic * z^2),
    * for sensors whose noise grows with z^2: 0.01 m, 0.01 and 0.0085 / m do for a
-   * Kinect. \param[in] constant in metres, 0 or more \param[in] linear 0 or more
+   * Kinect.
+   * \param[in] constant in metres, 0 or more
+   * \param[in] linear 0 or more
    * \param[in] quadratic in 1 / m, 0 or more; not all of them 0; other values are
    * refused with an error
    */

@@ -35,10 +35,13 @@ struct TwoRunNormalParameters {
  * Writes one normal for each index: of unit length, towards the viewpoint, with the
  * curvature of fitPlaneInTwoRuns; NaN where the point is missing, the radius is not
  * positive, or fewer than 3 neighbours, or only neighbours on a line, are inside. The
- * result does not depend on the number of threads. \param[in] points the points whose
- * normals are wanted; height 1: unorganized \param[in] indices those of them that are
+ * result does not depend on the number of threads.
+ * \param[in] points the points whose
+ * normals are wanted; height 1: unorganized
+ * \param[in] indices those of them that are
  * \param[in] surface the points that neighbours are taken from, usually \a points again
- * and necessarily so where the window size is set; height 1: unorganized \return the
+ * and necessarily so where the window size is set; height 1: unorganized
+ * \return the
  * number of normals that are not NaN
  */
 PCL_RGBD_PLANES_EXPORTS std::size_t

@@ -28,9 +28,12 @@ struct LocalPlane {
  * - (d / 2.5 s)^2)^2, and 0 from 2.5 s on, where s is the root mean square of all d. Of
  * Gaussian, Cauchy-like and biweight functions over s or over the median of |d|, it
  * keeps most of noisy creases and, with the scale it takes from the data, costs least
- * on noisy planes. \param[in] neighbours their positions relative to the point, in any
- * unit; the point itself (0, 0, 0) is usually one of them \param[out] plane the plane
- * of the second run \return false if there are fewer than 3 neighbours, or they lie on
+ * on noisy planes.
+ * \param[in] neighbours their positions relative to the point, in any
+ * unit; the point itself (0, 0, 0) is usually one of them
+ * \param[out] plane the plane
+ * of the second run
+ * \return false if there are fewer than 3 neighbours, or they lie on
  * a line
  */
 PCL_RGBD_PLANES_EXPORTS bool

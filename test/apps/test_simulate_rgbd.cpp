@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "../apps/files.h"
-#include <sys/wait.h>
+#include "app_test.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/simulation/simulate.h>
@@ -18,37 +17,9 @@ using namespace pcl::rgbd_planes;
 
 namespace {
 
-class SimulateRgbd : public testing::Test {
+class SimulateRgbd : public AppTest {
 protected:
-  /** Runs the application with arguments as a shell reads them; its exit code. */
-  int
-  run (const std::string& arguments)
-  {
-    const TemporaryFolder logs;
-    const std::string command =
-        "cd '" + folder_.path().string() + "' && '" SIMULATE_RGBD "' " + arguments +
-        " >'" + (logs / "out").string() + "' 2>'" + (logs / "err").string() + "'";
-    const int status = std::system (command.c_str());
-    out_ = readFile (logs / "out");
-    err_ = readFile (logs / "err");
-    return WIFEXITED (status) ? WEXITSTATUS (status) : -1;
-  }
-
-  /** Exit 1, one line on stderr that holds \a reason, no files. */
-  void
-  expectRefused (const std::string& arguments, const std::string& reason)
-  {
-    EXPECT_EQ (run (arguments), 1) << arguments;
-    EXPECT_EQ (out_, "") << arguments;
-    EXPECT_EQ (err_.rfind ("pcl_simulate_rgbd: ", 0), 0u) << err_;
-    EXPECT_EQ (std::count (err_.begin(), err_.end(), '\n'), 1) << err_;
-    EXPECT_NE (err_.find (reason), std::string::npos) << err_;
-    EXPECT_TRUE (listFolder (folder_.path()).empty()) << arguments;
-  }
-
-  const TemporaryFolder folder_;
-  std::string out_;
-  std::string err_;
+  SimulateRgbd() : AppTest (SIMULATE_RGBD) {}
 };
 
 } // namespace
@@ -56,9 +27,9 @@ protected:
 TEST_F (SimulateRgbd, TheFilesHoldTheFrame)
 {
   const std::string name = "corridor_3_kinect_qqvga";
-  ASSERT_EQ (
-      run ("corridor --seed 3 --sensor kinect --resolution qqvga --output new/d"), 0)
-      << err_;
+  const Outcome outcome =
+      run ("corridor --seed 3 --sensor kinect --resolution qqvga --output new/d");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
   EXPECT_EQ (listFolder (folder_ / "new/d"),
              (std::vector<std::string>{name + ".pcd",
                                        name + "_colour.png",
@@ -100,7 +71,7 @@ TEST_F (SimulateRgbd, TheFilesHoldTheFrame)
 TEST_F (SimulateRgbd, TheSameSeedGivesTheSameFiles)
 {
   for (const char* folder : {"a", "b"})
-    ASSERT_EQ (run ("room --seed 2 --output " + std::string (folder)), 0) << err_;
+    ASSERT_EQ (run ("room --seed 2 --output " + std::string (folder)).code, 0);
   const auto files = listFolder (folder_ / "a");
   ASSERT_EQ (files.size(), 5u);
   for (const auto& file : files)
@@ -122,7 +93,8 @@ TEST_F (SimulateRgbd, BadUsageIsToldInOneLine)
 
 TEST_F (SimulateRgbd, HelpNamesTheScenes)
 {
-  EXPECT_EQ (run ("--help"), 0);
+  const Outcome outcome = run ("--help");
+  EXPECT_EQ (outcome.code, 0);
   for (const auto& scene : sceneNames())
-    EXPECT_NE (out_.find (scene), std::string::npos);
+    EXPECT_NE (outcome.out.find (scene), std::string::npos);
 }
