@@ -135,10 +135,14 @@ Frame
 FrameSource::read (std::size_t i) const
 {
   const StoredFrame& stored = frames_[i];
-  Frame frame{stored.name, stored.read()};
+  Frame frame;
+  frame.name = stored.name;
+  stored.read (frame);
   if (options_.step == 1)
     return frame;
   *frame.cloud = subsample (*frame.cloud, options_.step);
+  if (frame.truth)
+    *frame.truth = subsample (*frame.truth, options_.step);
   if (frame.cloud->width < 2 || frame.cloud->height < 2)
     throw AppError (options_.input + ": frame " + frame.name +
                     " is too small for this --resolution; use --resolution vga");
@@ -162,9 +166,13 @@ FrameSource::addSimulated (const std::string& scene_and_seed)
   }
   const auto seed = parseNumber<unsigned> (options_.input + ": the seed", seed_text);
   refuseDepthOptions (options_, options_.input);
-  frames_.push_back ({scene + '_' + std::to_string (seed), [scene, seed] {
-                        return simulate (scene, seed, Sensor::kinect).cloud;
-                      }});
+  frames_.push_back (
+      {scene + '_' + std::to_string (seed), [scene, seed] (Frame& frame) {
+         SimulatedFrame simulated_frame = simulate (scene, seed, Sensor::kinect);
+         frame.cloud = simulated_frame.cloud;
+         frame.truth = simulated_frame.truth;
+         frame.true_planes = simulated_frame.planes;
+       }});
 }
 
 void
@@ -215,7 +223,9 @@ FrameSource::addTumFolder (const fs::path& folder)
                            options_.units_per_metre.value_or (5000.f),
                            !options_.intrinsics};
   for (const auto& path : files)
-    frames_.push_back ({path.stem(), [=] { return readDepthImage (path, camera); }});
+    frames_.push_back ({path.stem(), [=] (Frame& frame) {
+                          frame.cloud = readDepthImage (path, camera);
+                        }});
 }
 
 void
@@ -224,7 +234,9 @@ FrameSource::addFile (const fs::path& file)
   const auto extension = file.extension();
   if (extension == ".pcd") {
     refuseDepthOptions (options_, file);
-    frames_.push_back ({file.stem(), [file] { return readOrganizedPcd (file); }});
+    frames_.push_back ({file.stem(), [file] (Frame& frame) {
+                          frame.cloud = readOrganizedPcd (file);
+                        }});
     return;
   }
   if (extension != ".png")
@@ -237,7 +249,9 @@ FrameSource::addFile (const fs::path& file)
     throw AppError (file.string() + ": a depth image needs its unit: add --depth-scale "
                                     "UNITS_PER_M (1000 for millimetres)");
   const DepthCamera camera{*options_.intrinsics, *options_.units_per_metre, false};
-  frames_.push_back ({file.stem(), [=] { return readDepthImage (file, camera); }});
+  frames_.push_back ({file.stem(), [=] (Frame& frame) {
+                        frame.cloud = readDepthImage (file, camera);
+                      }});
 }
 
 } // namespace rgbd_planes

@@ -8,7 +8,6 @@
 #include <boost/program_options/value_semantic.hpp>
 
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace po = boost::program_options;
@@ -44,17 +43,6 @@ parseDepthScale (const std::string& text)
     throw AppError ("--depth-scale: '" + text +
                     "' must be more than 0 units per metre");
   return scale;
-}
-
-std::uint32_t
-parseResolution (const std::string& text)
-{
-  const std::map<std::string, std::uint32_t> steps{
-      {"vga", 1}, {"qvga", 2}, {"qqvga", 4}};
-  const auto step = steps.find (text);
-  if (step == steps.end())
-    throw AppError ("--resolution: '" + text + "' must be vga, qvga or qqvga");
-  return step->second;
 }
 
 } // namespace
@@ -100,6 +88,21 @@ readInputOptions (const std::string& input, const po::variables_map& values)
   if (values.count ("frames"))
     options.max_frames = parseCount ("--frames", values["frames"].as<std::string>());
   return options;
+}
+
+std::uint32_t
+parseResolution (const std::string& text)
+{
+  for (const std::uint32_t step : {1u, 2u, 4u})
+    if (text == resolutionName (step))
+      return step;
+  throw AppError ("--resolution: '" + text + "' must be vga, qvga or qqvga");
+}
+
+std::string
+resolutionName (std::uint32_t step)
+{
+  return step == 1 ? "vga" : step == 2 ? "qvga" : "qqvga";
 }
 
 unsigned

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <unistd.h>
-
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/command_line.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/input_options.h>
@@ -11,6 +10,7 @@
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/apps/plane_report.h>
+#include <pcl/apps/progress.h>
 
 #include <boost/program_options.hpp>
 
@@ -34,7 +34,7 @@ struct Options {
 
 /** Nothing where only help was asked for, which is printed. */
 std::optional<Options>
-parseCommandLine (int argc, char** argv)
+readOptions (int argc, char** argv)
 {
   po::options_description options ("Options");
   options.add_options() ("help", "print this help") (
@@ -49,21 +49,7 @@ parseCommandLine (int argc, char** argv)
       po::value<std::string>()->value_name ("FILE"),
       "write the result as JSON");
   options.add (inputOptionsDescription());
-  po::options_description all;
-  all.add (options).add_options() ("input", po::value<std::string>());
-  po::variables_map values;
-  try {
-    po::positional_options_description positional;
-    positional.add ("input", 1);
-    po::store (po::command_line_parser (argc, argv)
-                   .options (all)
-                   .positional (positional)
-                   .run(),
-               values);
-  }
-  catch (const po::error& error) {
-    throw AppError (std::string (error.what()) + "; see --help");
-  }
+  const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
     std::cout
         << "pcl_segment_planes INPUT [options]\n\n"
@@ -77,7 +63,8 @@ parseCommandLine (int argc, char** argv)
     throw AppError ("no INPUT given; see --help");
 
   Options result;
-  result.input = readInputOptions (values["input"].as<std::string>(), values);
+  result.input =
+      readInputOptions (values["input"].as<std::vector<std::string>>().front(), values);
   if (values.count ("min-inliers"))
     result.min_inliers =
         parseCount ("--min-inliers", values["min-inliers"].as<std::string>());
@@ -124,34 +111,6 @@ writeFrame (const fs::path& folder,
   write ("_labels.pcd", encodeLabels (*frame.cloud, segmenter.normals(), labels));
 }
 
-/** A line on the terminal that says how far the work is. */
-class Progress {
-public:
-  explicit Progress (std::size_t all)
-  : all_ (all)
-  , shown_ (all > 1 && ::isatty (STDERR_FILENO))
-  {}
-  Progress (const Progress&) = delete;
-  Progress&
-  operator= (const Progress&) = delete;
-  ~Progress()
-  {
-    if (shown_)
-      std::cerr << std::endl;
-  }
-
-  void
-  show (std::size_t frame) const
-  {
-    if (shown_)
-      std::cerr << "\rframe " << frame << " of " << all_ << std::flush;
-  }
-
-private:
-  std::size_t all_;
-  bool shown_;
-};
-
 std::vector<FrameSummary>
 segmentFrames (const FrameSource& source, const Options& options, OutputFiles& files)
 {
@@ -173,7 +132,7 @@ segmentFrames (const FrameSource& source, const Options& options, OutputFiles& f
 void
 segmentPlanes (int argc, char** argv)
 {
-  const auto options = parseCommandLine (argc, argv);
+  const auto options = readOptions (argc, argv);
   if (!options)
     return;
   const FrameSource source (options->input);

@@ -19,7 +19,9 @@ namespace {
 const pcl::RGB black (0, 0, 0);
 const pcl::RGB grey (128, 128, 128);
 
-/** \param[in] hue in turns, \param[in] saturation from 0 to 1, \param[in] value 0 to 1
+/** \param[in] hue in turns,
+ * \param[in] saturation from 0 to 1,
+ * \param[in] value 0 to 1
  */
 pcl::RGB
 fromHsv (float hue, float saturation, float value)

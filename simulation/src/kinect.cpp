@@ -4,6 +4,7 @@
 #include "kinect.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -11,60 +12,95 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Focal length of the infrared camera, which defines the unit of the disparity. */
-constexpr float focal_px = 580.f;
-constexpr float disparity_step_px = 1.f / 8.f;
-constexpr float disparity_noise_px = 0.5f * disparity_step_px;
-constexpr float noise_correlation_px = 1.5f;
+constexpr float baseline_m = 0.075f;
+constexpr float color_camera_m = 0.025f;
+/** The focal length of the infrared camera that drivers assume. */
+constexpr float infrared_focal_px = 575.8f;
+/** A disparity in steps, times depth in metres. */
+constexpr float steps_per_px = 8.f;
+constexpr float steps_times_m = steps_per_px * infrared_focal_px * baseline_m;
+
+/** Noise of the disparity: together with its quantisation, the half step of Khoshelham and
+ * Elberink. Neighbours share most of their correlation window; 9 x 9 px in the literature,
+ * 8 x 8 px fits the recordings best. */
+constexpr float noise_steps = 0.4f;
+constexpr int noise_window_px = 8;
+/** What calibration leaves: smooth, less than a step. Fitted to the recordings. */
+constexpr float warp_steps = 0.75f;
+constexpr int warp_waves = 4;
+constexpr float min_wave_length_px = 250.f;
+constexpr float max_wave_length_px = 600.f;
+/** Where a pixel looks is uncertain: it shows on slopes (Barron and Malik), and more at
+ * edges (Nguyen et al.). The window is fitted to the recordings. */
+constexpr float slope_jitter_px = 0.5f;
 constexpr float edge_jitter_px = 0.8f;
-constexpr float jitter_correlation_px = 1.5f;
+constexpr int jitter_window_width_px = 7;
+constexpr int jitter_window_height_px = 3;
+
 constexpr float min_range_m = 0.5f;
 constexpr float max_range_m = 8.f;
+/** 82 degrees. */
 constexpr float min_incidence_cosine = 0.14f;
 constexpr float min_albedo = 0.06f;
 
-/** Replaces each value by the weighted sum of those around it, along one axis. */
+/** Standard normal noise, averaged over windows of this size. */
 std::vector<float>
-convolve (const std::vector<float>& image,
-          const std::vector<float>& kernel,
-          int width,
-          int height,
-          int step_u,
-          int step_v)
+correlatedNoise (const Camera& camera,
+                 int window_width,
+                 int window_height,
+                 Random& random)
 {
-  const int half = static_cast<int> (kernel.size()) / 2;
-  std::vector<float> result (image.size(), 0.f);
-  for (int k = -half; k <= half; ++k)
-    for (int v = 0; v < height; ++v)
-      for (int u = 0; u < width; ++u) {
-        const int x = (u + k * step_u + width) % width;
-        const int y = (v + k * step_v + height) % height;
-        result[v * width + u] += kernel[k + half] * image[y * width + x];
-      }
-  return result;
-}
-
-/** Standard normal noise, correlated by a Gaussian of \a sigma_px over neighbours. */
-std::vector<float>
-correlatedNoise (const Camera& camera, float sigma_px, Random& random)
-{
-  std::vector<float> noise (static_cast<std::size_t> (camera.width) * camera.height);
-  for (auto& value : noise)
+  const int width = camera.width;
+  const int padded_width = width + window_width - 1;
+  const int padded_height = camera.height + window_height - 1;
+  std::vector<float> white (static_cast<std::size_t> (padded_width) * padded_height);
+  for (auto& value : white)
     value = random.normal();
 
-  const int half = static_cast<int> (std::ceil (3.f * sigma_px));
-  std::vector<float> kernel;
-  float squares = 0.f;
-  for (int k = -half; k <= half; ++k) {
-    kernel.push_back (
-        std::exp (-0.5f * static_cast<float> (k * k) / (sigma_px * sigma_px)));
-    squares += kernel.back() * kernel.back();
-  }
-  for (auto& weight : kernel)
-    weight /= std::sqrt (squares);
-  noise = convolve (noise, kernel, camera.width, camera.height, 1, 0);
-  return convolve (noise, kernel, camera.width, camera.height, 0, 1);
+  std::vector<float> rows (static_cast<std::size_t> (width) * padded_height, 0.f);
+  for (int v = 0; v < padded_height; ++v)
+    for (int k = 0; k < window_width; ++k)
+      for (int u = 0; u < width; ++u)
+        rows[v * width + u] += white[v * padded_width + u + k];
+
+  const float scale =
+      1.f / std::sqrt (static_cast<float> (window_width * window_height));
+  std::vector<float> noise (static_cast<std::size_t> (width) * camera.height, 0.f);
+  for (int v = 0; v < camera.height; ++v)
+    for (int k = 0; k < window_height; ++k)
+      for (int u = 0; u < width; ++u)
+        noise[v * width + u] += scale * rows[(v + k) * width + u];
+  return noise;
 }
+
+/** The smooth error of the disparity of one camera, in steps: a few plane waves. */
+class Warp {
+public:
+  explicit Warp (Random& random)
+  {
+    for (auto& wave : waves_) {
+      const float direction = random.uniform (0.f, 6.2831853f);
+      const float per_px =
+          6.2831853f / random.uniform (min_wave_length_px, max_wave_length_px);
+      wave = {per_px * std::cos (direction),
+              per_px * std::sin (direction),
+              random.uniform (0.f, 6.2831853f)};
+    }
+  }
+
+  float
+  at (int u, int v) const
+  {
+    float sum = 0.f;
+    for (const auto& wave : waves_)
+      sum += std::sin (wave[0] * static_cast<float> (u) +
+                       wave[1] * static_cast<float> (v) + wave[2]);
+    return warp_steps * std::sqrt (2.f / warp_waves) * sum;
+  }
+
+private:
+  std::array<std::array<float, 3>, warp_waves> waves_;
+};
 
 bool
 isMeasurable (const RenderedPixel& pixel)
@@ -75,35 +111,62 @@ isMeasurable (const RenderedPixel& pixel)
   return cosine >= min_incidence_cosine && pixel.color.mean() >= min_albedo;
 }
 
+/** The pixel of the infrared camera, which has more of them, that is nearest: where it
+ * lies in the image of the colour camera. */
+float
+nearestInfrared (float pixel, float focal, float center)
+{
+  const float scale = infrared_focal_px / focal;
+  return center + std::round ((pixel - center) * scale) / scale;
+}
+
+/** Depth in metres from a disparity in steps, as drivers report it: both are whole. */
+float
+quantisedDepth (float steps)
+{
+  return std::round (1000.f * steps_times_m / std::round (steps)) / 1000.f;
+}
+
 } // namespace
+
+std::vector<Eigen::Vector3f>
+kinectEyes ()
+{
+  return {{-color_camera_m, 0.f, 0.f}, {baseline_m - color_camera_m, 0.f, 0.f}};
+}
 
 std::vector<float>
 measureWithKinect (const std::vector<RenderedPixel>& image,
                    const Camera& camera,
                    Random& random)
 {
-  const auto noise = correlatedNoise (camera, noise_correlation_px, random);
-  const auto jitter_u = correlatedNoise (camera, jitter_correlation_px, random);
-  const auto jitter_v = correlatedNoise (camera, jitter_correlation_px, random);
+  const auto noise = correlatedNoise (camera, noise_window_px, noise_window_px, random);
+  const auto jitter = [&] {
+    return correlatedNoise (
+        camera, jitter_window_width_px, jitter_window_height_px, random);
+  };
+  const auto jitter_u = jitter();
+  const auto jitter_v = jitter();
+  const Warp warp (random);
+
   std::vector<float> depth (image.size(), std::numeric_limits<float>::quiet_NaN());
   for (int v = 0; v < camera.height; ++v)
     for (int u = 0; u < camera.width; ++u) {
       const std::size_t i = v * camera.width + u;
-      const int x = u + static_cast<int> (std::lround (edge_jitter_px * jitter_u[i]));
-      const int y = v + static_cast<int> (std::lround (edge_jitter_px * jitter_v[i]));
+      const auto x = u + static_cast<int> (std::lround (edge_jitter_px * jitter_u[i]));
+      const auto y = v + static_cast<int> (std::lround (edge_jitter_px * jitter_v[i]));
       const RenderedPixel& seen =
           image[std::clamp (y, 0, camera.height - 1) * camera.width +
                 std::clamp (x, 0, camera.width - 1)];
       if (!isMeasurable (seen))
         continue;
-      // The surface seen is continued to this pixel: only edges are displaced.
-      const float true_depth =
-          seen.normal.dot (seen.point) / seen.normal.dot (rayThrough (camera, u, v));
-      const float disparity =
-          focal_px * kinect_baseline_m / true_depth + disparity_noise_px * noise[i];
-      const float quantised =
-          std::round (disparity / disparity_step_px) * disparity_step_px;
-      const float measured = focal_px * kinect_baseline_m / quantised;
+      const Eigen::Vector3f ray = rayThrough (
+          camera,
+          nearestInfrared (u, camera.fx, camera.cx) + slope_jitter_px * jitter_u[i],
+          nearestInfrared (v, camera.fy, camera.cy) + slope_jitter_px * jitter_v[i]);
+      const float true_depth = seen.normal.dot (seen.point) / seen.normal.dot (ray);
+      const float measured = quantisedDepth (steps_times_m / true_depth +
+                                             noise_steps * noise[i] + warp.at (u, v));
       if (measured >= min_range_m && measured <= max_range_m)
         depth[i] = measured;
     }

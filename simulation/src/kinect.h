@@ -6,13 +6,25 @@
 #include "random.h"
 #include "renderer.h"
 
+#include <vector>
+
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief The projector of the Kinect is 7.5 cm to the right of its infrared camera. */
-constexpr float kinect_baseline_m = 0.075f;
+/** \brief Where the infrared camera and the projector of a Kinect are, 7.5 cm apart, in
+ * the frame of its colour camera: it measures only what both of them and the colour
+ * camera see. */
+std::vector<Eigen::Vector3f>
+kinectEyes ();
 
-/** \brief The depth image that a Kinect would measure, NaN where it has none. */
+/** \brief The depth that a Kinect measures, row by row, in metres; NaN where it has
+ * none.
+ *
+ * Depth is registered to the colour camera, as all drivers can do. Errors are made
+ * where they arise, in the disparity between the infrared image and the reference
+ * pattern (Khoshelham and Elberink 2012; Handa et al. 2014, after Barron and Malik
+ * 2013; Nguyen et al. 2012); doc/simulation.md compares the result with recordings.
+ */
 std::vector<float>
 measureWithKinect (const std::vector<RenderedPixel>& image,
                    const Camera& camera,

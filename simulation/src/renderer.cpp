@@ -5,6 +5,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -197,7 +198,7 @@ colorAt (const Surface& surface, const Vector3f& point_in_base)
 } // namespace
 
 std::vector<RenderedPixel>
-render (const Scene& scene, const Camera& camera, const Vector3f& projector)
+render (const Scene& scene, const Camera& camera, const std::vector<Vector3f>& eyes)
 {
   const std::vector<Surface> surfaces = inCameraFrame (scene);
   const RayTracer tracer (surfaces);
@@ -206,7 +207,8 @@ render (const Scene& scene, const Camera& camera, const Vector3f& projector)
   for (int v = 0; v < camera.height; ++v)
     for (int u = 0; u < camera.width; ++u) {
       RenderedPixel pixel;
-      const Vector3f ray = rayThrough (camera, u, v);
+      const Vector3f ray =
+          rayThrough (camera, static_cast<float> (u), static_cast<float> (v));
       const RTCRayHit hit = tracer.trace (ray);
       if (hit.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
         const Surface& surface = surfaces[hit.hit.geomID];
@@ -216,7 +218,9 @@ render (const Scene& scene, const Camera& camera, const Vector3f& projector)
         if (pixel.normal.dot (ray) > 0.f)
           pixel.normal = -pixel.normal;
         pixel.color = colorAt (surface, scene.camera_to_base * pixel.point);
-        pixel.in_shadow = tracer.isHidden (pixel.point, projector);
+        pixel.in_shadow = std::any_of (eyes.begin(), eyes.end(), [&] (const auto& eye) {
+          return tracer.isHidden (pixel.point, eye);
+        });
       }
       image.push_back (pixel);
     }

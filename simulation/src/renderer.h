@@ -14,13 +14,12 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief The direction that the centre of pixel (u, v) looks along, with z = 1. */
+/** \brief The direction that (u, v) looks along, with z = 1; pixel centres are at whole
+ * numbers. */
 inline Eigen::Vector3f
-rayThrough (const Camera& camera, int u, int v)
+rayThrough (const Camera& camera, float u, float v)
 {
-  return {(static_cast<float> (u) - camera.cx) / camera.fx,
-          (static_cast<float> (v) - camera.cy) / camera.fy,
-          1.f};
+  return {(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.f};
 }
 
 /** \brief What the centre of a pixel sees, in the camera frame. */
@@ -34,15 +33,18 @@ struct RenderedPixel {
   Eigen::Vector3f normal = point;
   /** Red, green, blue of the surface, 0 to 1, without light. */
   Eigen::Vector3f color = Eigen::Vector3f::Zero();
-  /** Something hides it from the projector. */
+  /** Something hides it from one of the other eyes of the sensor. */
   bool in_shadow = false;
 };
 
 /** \brief Renders a scene row by row.
- * \param[in] projector where the projector is in the camera frame, in metres
+ * \param[in] eyes where else the sensor looks from or sends light from, in the camera
+ * frame
  */
 std::vector<RenderedPixel>
-render (const Scene& scene, const Camera& camera, const Eigen::Vector3f& projector);
+render (const Scene& scene,
+        const Camera& camera,
+        const std::vector<Eigen::Vector3f>& eyes);
 
 } // namespace rgbd_planes
 } // namespace pcl

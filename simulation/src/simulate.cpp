@@ -58,7 +58,9 @@ makeCloud (const Scene& scene,
     for (int u = 0; u < camera.width; ++u) {
       const std::size_t i = v * camera.width + u;
       auto& point = (*cloud)[i];
-      point.getVector3fMap() = rayThrough (camera, u, v) * depth[i];
+      point.getVector3fMap() =
+          rayThrough (camera, static_cast<float> (u), static_cast<float> (v)) *
+          depth[i];
       const Eigen::Vector3f color = shade (image[i], scene.camera_to_base.linear());
       point.r = toByte (color.x());
       point.g = toByte (color.y());
@@ -75,17 +77,17 @@ simulate (const std::string& scene_name, unsigned seed, Sensor sensor)
 {
   const Scene scene = makeScene (scene_name, seed);
   const Camera camera;
+  const bool is_kinect = sensor == Sensor::kinect;
   const auto image =
-      render (scene, camera, Eigen::Vector3f (kinect_baseline_m, 0.f, 0.f));
+      render (scene, camera, is_kinect ? kinectEyes() : std::vector<Eigen::Vector3f>{});
 
   SimulatedFrame frame;
   frame.camera_to_base = scene.camera_to_base;
   fillTruth (scene, camera, image, frame);
 
   Random random (seed);
-  const std::vector<float> depth = sensor == Sensor::kinect
-                                       ? measureWithKinect (image, camera, random)
-                                       : trueDepth (image);
+  const auto depth =
+      is_kinect ? measureWithKinect (image, camera, random) : trueDepth (image);
   frame.cloud = makeCloud (scene, camera, image, depth);
   return frame;
 }

@@ -53,49 +53,61 @@ private:
   std::vector<std::uint32_t> labels_;
 };
 
-/** Surfaces meet between two pixels: they differ and do not continue each other. */
-bool
-isEdge (const RenderedPixel& a,
-        const TruthPoint& truth_a,
-        const RenderedPixel& b,
-        const TruthPoint& truth_b)
-{
-  return a.surface != b.surface &&
-         (truth_a.label == 0 || truth_a.label != truth_b.label);
-}
+/** Finds the pixels that have one of another surface near them. */
+class EdgeMarker {
+public:
+  EdgeMarker (const std::vector<RenderedPixel>& image,
+              pcl::PointCloud<TruthPoint>& truth)
+  : image_ (image)
+  , truth_ (truth)
+  , width_ (static_cast<int> (truth.width))
+  , height_ (static_cast<int> (truth.height))
+  {}
 
-void
-markAround (pcl::PointCloud<TruthPoint>& truth, int u, int v)
-{
-  const int width = static_cast<int> (truth.width);
-  const int height = static_cast<int> (truth.height);
-  for (int y = std::max (v - edge_px, 0); y <= std::min (v + edge_px, height - 1); ++y)
-    for (int x = std::max (u - edge_px, 0); x <= std::min (u + edge_px, width - 1); ++x)
-      truth (x, y).edge = 1;
-}
+  void
+  mark ()
+  {
+    for (int v = 0; v < height_; ++v)
+      for (int u = 0; u < width_; ++u)
+        if (isAtBorder (u, v))
+          markAround (u, v);
+  }
 
-/** Marks what has a pixel beyond an edge in its (2 edge_px + 1)^2 neighbourhood. */
-void
-markEdges (const std::vector<RenderedPixel>& image, pcl::PointCloud<TruthPoint>& truth)
-{
-  const int width = static_cast<int> (truth.width);
-  const int height = static_cast<int> (truth.height);
-  const auto mark = [&] (int u, int v, int other_u, int other_v) {
-    const std::size_t i = v * width + u;
-    const std::size_t j = other_v * width + other_u;
-    if (!isEdge (image[i], truth[i], image[j], truth[j]))
-      return;
-    markAround (truth, u, v);
-    markAround (truth, other_u, other_v);
-  };
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u) {
-      if (u + 1 < width)
-        mark (u, v, u + 1, v);
-      if (v + 1 < height)
-        mark (u, v, u, v + 1);
-    }
-}
+private:
+  /** Not on one surface, nor on two that continue each other. */
+  bool
+  differ (int u, int v, int other_u, int other_v) const
+  {
+    const std::size_t i = v * width_ + u;
+    const std::size_t j = other_v * width_ + other_u;
+    return image_[i].surface != image_[j].surface &&
+           (truth_[i].label == 0 || truth_[i].label != truth_[j].label);
+  }
+
+  bool
+  isAtBorder (int u, int v) const
+  {
+    return (u > 0 && differ (u, v, u - 1, v)) || (v > 0 && differ (u, v, u, v - 1)) ||
+           (u + 1 < width_ && differ (u, v, u + 1, v)) ||
+           (v + 1 < height_ && differ (u, v, u, v + 1));
+  }
+
+  void
+  markAround (int u, int v)
+  {
+    for (int y = std::max (v - edge_px, 0); y <= std::min (v + edge_px, height_ - 1);
+         ++y)
+      for (int x = std::max (u - edge_px, 0); x <= std::min (u + edge_px, width_ - 1);
+           ++x)
+        if (differ (u, v, x, y))
+          truth_ (x, y).edge = 1;
+  }
+
+  const std::vector<RenderedPixel>& image_;
+  pcl::PointCloud<TruthPoint>& truth_;
+  int width_;
+  int height_;
+};
 
 } // namespace
 
@@ -123,7 +135,7 @@ fillTruth (const Scene& scene,
     point.object = surface.object;
     point.obstacle = surface.obstacle ? 1 : 0;
   }
-  markEdges (image, *frame.truth);
+  EdgeMarker (image, *frame.truth).mark();
 }
 
 } // namespace rgbd_planes

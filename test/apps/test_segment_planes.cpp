@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "files.h"
+#include "app_test.h"
 #include "synthetic_clouds.h"
-#include <sys/wait.h>
 
 #include <pcl/apps/labelled_point.h>
 #include <pcl/apps/pictures.h>
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -25,51 +23,9 @@ using nlohmann::json;
 
 namespace {
 
-struct Outcome {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-class SegmentPlanes : public testing::Test {
+class SegmentPlanes : public AppTest {
 protected:
-  /** Runs commands of a shell. */
-  Outcome
-  shell (const std::string& commands) const
-  {
-    const std::string line = "cd '" + folder_.path().string() + "' && { " + commands +
-                             "\n} >'" + (logs_ / "out").string() + "' 2>'" +
-                             (logs_ / "err").string() + "'";
-    const int status = std::system (line.c_str());
-    return {WIFEXITED (status) ? WEXITSTATUS (status) : -1,
-            readFile (logs_ / "out"),
-            readFile (logs_ / "err")};
-  }
-
-  Outcome
-  run (const std::string& arguments, const std::string& before = "") const
-  {
-    return shell (before + " " + application_ + " " + arguments);
-  }
-
-  /** Bad usage and bad input: exit 1, one line on stderr that holds \a reason, no
-   * output. */
-  void
-  expectRefused (const std::string& arguments,
-                 const std::string& reason,
-                 const std::string& before = "") const
-  {
-    const auto files = listFolder (folder_.path());
-    const Outcome result = run (arguments, before);
-    EXPECT_EQ (result.code, 1) << arguments;
-    EXPECT_EQ (result.out, "") << arguments;
-    EXPECT_EQ (result.err.rfind ("pcl_segment_planes: ", 0), 0u) << result.err;
-    EXPECT_EQ (std::count (result.err.begin(), result.err.end(), '\n'), 1)
-        << result.err;
-    EXPECT_EQ (result.err.back(), '\n') << result.err;
-    EXPECT_NE (result.err.find (reason), std::string::npos) << result.err;
-    EXPECT_EQ (listFolder (folder_.path()), files) << arguments;
-  }
+  SegmentPlanes() : AppTest (SEGMENT_PLANES) {}
 
   /** A depth image of 160 x 120, 1 mm units: a wall at 1 m left, one at 1.5 m right,
    * the four top rows missing. */
@@ -82,10 +38,7 @@ protected:
     writePng (folder_ / name, 160, depth);
   }
 
-  const std::string application_ = "'" SEGMENT_PLANES "'";
   const std::string camera_ = " --intrinsics 131,131,79.5,59.5 --depth-scale 1000 ";
-  const TemporaryFolder folder_;
-  const TemporaryFolder logs_;
 };
 
 struct CsvPlane {

@@ -6,6 +6,7 @@
 #include <pcl/apps/depth_image.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/simulation/truth_point.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -39,6 +40,10 @@ struct Frame {
   /** Organized, in the camera frame (x right, y down, z forward), metres; NaN where
    * depth is missing, black where colour is unknown. */
   pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud;
+  /** What the pixels of a simulated frame truly see; null for others. */
+  pcl::PointCloud<TruthPoint>::Ptr truth;
+  /** The planes of a simulated frame, see SimulatedFrame::planes. */
+  std::vector<Eigen::Vector4f> true_planes;
 };
 
 /** \brief The frames of an INPUT, each read when it is asked for. Throws AppError where
@@ -61,11 +66,10 @@ public:
   read (std::size_t i) const;
 
 private:
-  using Cloud = pcl::PointCloud<pcl::PointXYZRGB>;
-
   struct StoredFrame {
     std::string name;
-    std::function<Cloud::Ptr()> read;
+    /** Fills in all but the name. */
+    std::function<void (Frame&)> read;
   };
 
   void

@@ -27,6 +27,15 @@ readInputOptions (const std::string& input,
 unsigned
 parseCount (const std::string& option, const std::string& text);
 
+/** \brief The step between pixels for a value of --resolution; AppError where it is
+ * none. */
+std::uint32_t
+parseResolution (const std::string& text);
+
+/** \brief The value of --resolution for a step of 1, 2 or 4. */
+std::string
+resolutionName (std::uint32_t step);
+
 /** \brief What --help says about INPUT. */
 extern const char input_help[];
 

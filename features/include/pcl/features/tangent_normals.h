@@ -54,7 +54,8 @@ class PCL_RGBD_PLANES_EXPORTS TangentNormals {
 public:
   /** \brief Writes one normal for every point: of unit length, towards the viewpoint,
    * with the curvature of the surface inside the smoothing area; NaN where the point is
-   * missing or no surface is around it. \return the number of normals that are not NaN
+   * missing or no surface is around it.
+   * \return the number of normals that are not NaN
    */
   std::size_t
   compute (const OrganizedPoints& points,

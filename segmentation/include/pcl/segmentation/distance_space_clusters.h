@@ -31,7 +31,8 @@ public:
 
   /** \brief Splits the clusters.
    * \param[in] relative_threshold largest difference between the mean distances of
-   * merged bins, relative to the distance \param[in] min_points clusters with fewer
+   * merged bins, relative to the distance
+   * \param[in] min_points clusters with fewer
    * points are dropped
    */
   void

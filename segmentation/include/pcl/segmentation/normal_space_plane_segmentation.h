@@ -148,7 +148,8 @@ public:
    * \param[out] model_coefficients a, b, c, d of each plane
    * \param[out] inlier_indices the points of each plane, in ascending order
    * \param[out] centroids the mean of the points of each plane, with 1 as last
-   * component \param[out] covariances the covariance of the points of each plane
+   * component
+   * \param[out] covariances the covariance of the points of each plane
    * \param[out] labels the plane of each point, or \ref unlabelled; size of the input
    * \param[out] label_indices the same as \a inlier_indices: one entry for each label
    */

@@ -48,7 +48,8 @@ sceneNames ();
 /** \brief Renders a scene.
  * \param[in] scene one of sceneNames(); std::invalid_argument for others
  * \param[in] seed varies layout, viewpoint and noise; the same seed gives the same
- * bytes, and both sensors see the same scene \param[in] sensor how depth is measured
+ * bytes, and both sensors see the same scene
+ * \param[in] sensor how depth is measured
  */
 SimulatedFrame
 simulate (const std::string& scene, unsigned seed, Sensor sensor);

@@ -26,7 +26,8 @@ struct EIGEN_ALIGN16 TruthPoint {
   std::uint32_t object = 0;
   /** 1 for everything that is not the floor a robot may drive on, else 0. */
   std::uint32_t obstacle = 0;
-  /** 1 where a depth edge or a crease is at most 5 px away in either direction, else 0.
+  /** 1 where a pixel at most 5 rows and columns away lies on another surface, so that a depth
+   * edge or a crease is between them, else 0.
    */
   std::uint32_t edge = 0;
 

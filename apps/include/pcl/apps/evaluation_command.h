@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/frame_source.h>
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The command line of an evaluation: inputs, and what to do with them. */
+struct EvaluationCommand {
+  std::vector<InputOptions> inputs;
+  /** The resolutions asked for: every step-th pixel. Frames are read in full. */
+  std::vector<std::uint32_t> steps{1, 2, 4};
+  std::optional<std::string> json;
+  boost::program_options::variables_map values;
+};
+
+/** \brief Reads INPUT..., --json, the options of inputOptionsDescription() and \a own.
+ * \param[in] usage printed before the list of options where only help is asked for;
+ * nothing is returned then
+ * Throws AppError where something is malformed.
+ */
+std::optional<EvaluationCommand>
+readEvaluationCommand (int argc,
+                       char** argv,
+                       const std::string& usage,
+                       const boost::program_options::options_description& own);
+
+/** \brief Shows all frames of all inputs to \a add, then prints \a table () and writes
+ * \a json () where --json says. Nothing is written after an AppError. */
+void
+runEvaluation (const EvaluationCommand& command,
+               const std::function<void (const Frame&)>& add,
+               const std::function<std::string()>& table,
+               const std::function<std::string()>& json);
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/plane_evaluation.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief A way to find planes, with its buffers. */
+struct PlaneMethod {
+  /** As in the files that pcl_evaluate_planes writes. */
+  std::string name;
+  /** Finds the planes with at least \a min_inliers points in an organized cloud in the
+   * camera frame. Returns the time in milliseconds, normals included, on one thread and
+   * without conversions. */
+  std::function<double (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+                        unsigned min_inliers,
+                        PlaneSet& planes)>
+      compute;
+};
+
+/** \brief Ours, "normal_space", and PCL's OrganizedMultiPlaneSegmentation on
+ * AVERAGE_3D_GRADIENT normals with a smoothing size of 10, "pcl_omps"; other settings as
+ * the classes have them. */
+std::vector<PlaneMethod>
+planeMethods ();
+
+} // namespace rgbd_planes
+} // namespace pcl

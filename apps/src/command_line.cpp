@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/command_line.h>
+
+#include <boost/program_options.hpp>
+
+#include <vector>
+
+namespace po = boost::program_options;
+
+namespace pcl {
+namespace rgbd_planes {
+
+po::variables_map
+parseCommandLine (int argc,
+                  char** argv,
+                  const po::options_description& options,
+                  const std::string& arguments,
+                  int max_arguments)
+{
+  po::options_description all;
+  all.add (options).add_options() (arguments.c_str(),
+                                   po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add (arguments.c_str(), max_arguments);
+  po::variables_map values;
+  try {
+    po::store (po::command_line_parser (argc, argv)
+                   .options (all)
+                   .positional (positional)
+                   .run(),
+               values);
+  }
+  catch (const po::error& error) {
+    throw AppError (std::string (error.what()) + "; see --help");
+  }
+  return values;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

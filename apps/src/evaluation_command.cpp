@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/command_line.h>
+#include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/output_files.h>
+#include <pcl/apps/progress.h>
+
+#include <boost/program_options/value_semantic.hpp>
+
+#include <iostream>
+
+namespace po = boost::program_options;
+
+namespace pcl {
+namespace rgbd_planes {
+
+std::optional<EvaluationCommand>
+readEvaluationCommand (int argc,
+                       char** argv,
+                       const std::string& usage,
+                       const po::options_description& own)
+{
+  po::options_description options ("Options");
+  options.add_options() ("help", "print this help") (
+      "json", po::value<std::string>()->value_name ("FILE"), "write the table as JSON");
+  options.add (own).add (inputOptionsDescription());
+  EvaluationCommand command;
+  command.values = parseCommandLine (argc, argv, options, "input", -1);
+  const po::variables_map& values = command.values;
+  if (values.count ("help")) {
+    std::cout << usage << '\n' << input_help << '\n' << options;
+    return std::nullopt;
+  }
+  if (!values.count ("input"))
+    throw AppError ("no INPUT given; see --help");
+
+  for (const auto& input : values["input"].as<std::vector<std::string>>()) {
+    command.inputs.push_back (readInputOptions (input, values));
+    if (!values["resolution"].defaulted())
+      command.steps = {command.inputs.back().step};
+    command.inputs.back().step = 1;
+  }
+  if (values.count ("json"))
+    command.json = values["json"].as<std::string>();
+  return command;
+}
+
+void
+runEvaluation (const EvaluationCommand& command,
+               const std::function<void (const Frame&)>& add,
+               const std::function<std::string()>& table,
+               const std::function<std::string()>& json)
+{
+  std::vector<FrameSource> sources;
+  std::size_t all = 0, frame = 0;
+  for (const auto& input : command.inputs) {
+    sources.emplace_back (input);
+    all += sources.back().size();
+  }
+  OutputFiles files;
+  // An unwritable place is known before the work is done.
+  if (command.json)
+    files.write (*command.json, "");
+  {
+    const Progress progress (all);
+    for (const auto& source : sources)
+      for (std::size_t i = 0; i < source.size(); ++i) {
+        progress.show (++frame);
+        add (source.read (i));
+      }
+  }
+  std::cout << table();
+  if (command.json)
+    files.write (*command.json, json());
+  if (!std::cout.flush())
+    throw AppError ("cannot write to standard output");
+  files.commit();
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/normal_comparison.h>
+#include <pcl/common/io.h>
+#include <pcl/common/point_tests.h>
+#include <pcl/simulation/subsample.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr char two_run_pca[] = "two_run_pca";
+/** PCL's integral-image normals need their smoothing area, 20 pixels, inside the image.
+ */
+constexpr std::uint32_t min_pixels = 40;
+
+RadiusFunction
+referenceRadius (bool is_far)
+{
+  if (is_far)
+    return [] (float z) { return std::max (0.01f + 0.01f * z, 0.0085f * z * z); };
+  return [] (float z) { return 0.01f + 0.01f * z; };
+}
+
+} // namespace
+
+NormalComparison::NormalComparison (const std::vector<std::uint32_t>& steps,
+                                    bool far_reference)
+: reference_ (twoRunMethod (referenceRadius (far_reference), 0))
+{
+  for (const auto step : steps) {
+    Resolution resolution{step, {}};
+    for (auto& method : normalMethods())
+      resolution.runners.push_back ({std::move (method), {}});
+    resolution.runners.push_back (
+        {twoRunMethod (referenceRadius (far_reference), 1), {}});
+    resolutions_.push_back (std::move (resolution));
+  }
+}
+
+void
+NormalComparison::add (const Frame& frame)
+{
+  const Task task = makeTask (frame);
+  for (auto& resolution : resolutions_)
+    run (resolution, subsampleTask (task, resolution.step));
+}
+
+NormalComparison::Task
+NormalComparison::makeTask (const Frame& frame)
+{
+  Task task{frame.name, pcl::make_shared<Cloud>(), {}, {}};
+  pcl::copyPointCloud (*frame.cloud, *task.cloud);
+  if (!frame.truth) {
+    reference_.compute (task.cloud, task.reference);
+    return task;
+  }
+  pcl::copyPointCloud (*frame.truth, task.reference);
+  for (std::size_t i = 0; i < task.reference.size(); ++i) {
+    if (!pcl::isFinite ((*task.cloud)[i]))
+      task.reference[i].getNormalVector3fMap().setConstant (
+          std::numeric_limits<float>::quiet_NaN());
+    task.is_edge.push_back ((*frame.truth)[i].edge != 0);
+  }
+  return task;
+}
+
+NormalComparison::Task
+NormalComparison::subsampleTask (const Task& task, std::uint32_t step)
+{
+  Task result{task.frame,
+              pcl::make_shared<Cloud> (subsample (*task.cloud, step)),
+              subsample (task.reference, step),
+              {}};
+  if (!task.is_edge.empty())
+    for (std::uint32_t v = 0; v < task.cloud->height; v += step)
+      for (std::uint32_t u = 0; u < task.cloud->width; u += step)
+        result.is_edge.push_back (task.is_edge[v * task.cloud->width + u]);
+  return result;
+}
+
+void
+NormalComparison::run (Resolution& resolution, const Task& task)
+{
+  const std::string name = resolutionName (resolution.step);
+  if (task.cloud->width < min_pixels || task.cloud->height < min_pixels)
+    throw AppError (task.frame + ": has " + std::to_string (task.cloud->width) + " x " +
+                    std::to_string (task.cloud->height) + " pixels as " + name +
+                    ", and 40 x 40 are needed; use --resolution vga or larger frames");
+  const bool has_truth = !task.is_edge.empty();
+  for (auto& [method, normals] : resolution.runners) {
+    if (!has_truth && method.name == two_run_pca)
+      continue;
+    // The first run pays for memory that later ones find in place.
+    if (normals.size() != task.cloud->size())
+      method.compute (task.cloud, normals);
+    NormalResult& result = resultOf (method.name, resolution.step, has_truth);
+    result.milliseconds.push_back (method.compute (task.cloud, normals));
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      result.all.add (task.reference[i], normals[i]);
+      if (has_truth)
+        (task.is_edge[i] ? result.edges : result.interior)
+            .add (task.reference[i], normals[i]);
+    }
+  }
+}
+
+NormalResult&
+NormalComparison::resultOf (const std::string& method,
+                            std::uint32_t step,
+                            bool has_truth)
+{
+  NormalResult key;
+  key.method = method;
+  key.resolution = resolutionName (step);
+  key.reference = has_truth ? "truth" : two_run_pca;
+  const auto known =
+      std::find_if (results_.begin(), results_.end(), [&] (const NormalResult& result) {
+        return result.method == key.method && result.resolution == key.resolution &&
+               result.reference == key.reference;
+      });
+  return known != results_.end() ? *known : results_.emplace_back (key);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/normal_methods.h>
+#include <pcl/common/point_tests.h>
+
+#include <Eigen/Dense>
+#include <opencv2/core.hpp>
+#include <opencv2/rgbd/depth.hpp>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Normals = pcl::PointCloud<pcl::Normal>;
+
+/** Focal length and principal point along one axis of the image, by least squares from
+ * pixel = focal * slope + centre. */
+class AxisFit {
+public:
+  void
+  add (double slope, double pixel)
+  {
+    const Eigen::Vector2d row (slope, 1.);
+    normal_equations_ += row * row.transpose();
+    right_side_ += row * pixel;
+  }
+
+  Eigen::Vector2d
+  focalAndCentre () const
+  {
+    return normal_equations_.ldlt().solve (right_side_);
+  }
+
+private:
+  Eigen::Matrix2d normal_equations_ = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right_side_ = Eigen::Vector2d::Zero();
+};
+
+/** The camera that took an organized cloud. */
+cv::Matx33f
+estimateCamera (const Cloud& cloud)
+{
+  AxisFit horizontal, vertical;
+  for (std::uint32_t v = 0; v < cloud.height; ++v)
+    for (std::uint32_t u = 0; u < cloud.width; ++u) {
+      const pcl::PointXYZ& p = cloud (u, v);
+      if (!pcl::isFinite (p) || !(p.z > 0.f))
+        continue;
+      horizontal.add (p.x / p.z, u);
+      vertical.add (p.y / p.z, v);
+    }
+  const Eigen::Vector2f x = horizontal.focalAndCentre().cast<float>();
+  const Eigen::Vector2f y = vertical.focalAndCentre().cast<float>();
+  return {x[0], 0.f, x[1], 0.f, y[0], y[1], 0.f, 0.f, 1.f};
+}
+
+cv::Mat
+toMat (const Cloud& cloud)
+{
+  cv::Mat points (
+      static_cast<int> (cloud.height), static_cast<int> (cloud.width), CV_32FC3);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    points.ptr<cv::Vec3f>()[i] = {cloud[i].x, cloud[i].y, cloud[i].z};
+  return points;
+}
+
+double
+computeNormals (const Cloud& cloud, int method, cv::Mat& result, Normals& normals)
+{
+  constexpr int window_size = 7;
+  cv::Mat points = toMat (cloud);
+  // Version 4.6 crashes when this method gets points instead of depth, and takes
+  // neighbours apart by more than 50 units for another surface: millimetres.
+  if (method == cv::rgbd::RgbdNormals::RGBD_NORMALS_METHOD_LINEMOD) {
+    cv::extractChannel (points, points, 2);
+    points *= 1000.;
+  }
+  // The estimation keeps a reference to it.
+  const cv::Mat camera (estimateCamera (cloud));
+  const cv::rgbd::RgbdNormals estimation (
+      points.rows, points.cols, CV_32F, camera, window_size, method);
+  estimation.initialize();
+  cv::setNumThreads (1);
+
+  const auto start = std::chrono::steady_clock::now();
+  estimation (points, result);
+  const std::chrono::duration<double, std::milli> time =
+      std::chrono::steady_clock::now() - start;
+
+  normals.resize (cloud.width, cloud.height);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const cv::Vec3f& n = result.ptr<cv::Vec3f>()[i];
+    normals[i].getNormalVector3fMap() = Eigen::Vector3f (n[0], n[1], n[2]);
+  }
+  return time.count();
+}
+
+} // namespace
+
+std::vector<NormalMethod>
+opencvNormalMethods ()
+{
+  const std::pair<const char*, int> kinds[] = {
+      {"opencv_fals", cv::rgbd::RgbdNormals::RGBD_NORMALS_METHOD_FALS},
+      {"opencv_linemod", cv::rgbd::RgbdNormals::RGBD_NORMALS_METHOD_LINEMOD},
+      {"opencv_sri", cv::rgbd::RgbdNormals::RGBD_NORMALS_METHOD_SRI}};
+  std::vector<NormalMethod> methods;
+  for (const auto& [name, kind] : kinds) {
+    const auto result = std::make_shared<cv::Mat>();
+    methods.push_back (
+        {name, [kind = kind, result] (const Cloud::ConstPtr& cloud, Normals& normals) {
+           return computeNormals (*cloud, kind, *result, normals);
+         }});
+  }
+  return methods;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

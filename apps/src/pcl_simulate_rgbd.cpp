@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/command_line.h>
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/output_files.h>
+#include <pcl/apps/parse_number.h>
+#include <pcl/apps/pictures.h>
+#include <pcl/conversions.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/segmentation/plane_extraction.h>
+#include <pcl/simulation/simulate.h>
+#include <pcl/simulation/subsample.h>
+
+#include <boost/program_options.hpp>
+
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+struct Options {
+  std::string scene;
+  unsigned seed;
+  Sensor sensor;
+  std::uint32_t step;
+  fs::path output;
+  /** The start of all file names. */
+  std::string name;
+};
+
+Sensor
+parseSensor (const std::string& text)
+{
+  if (text == "ideal")
+    return Sensor::ideal;
+  if (text == "kinect")
+    return Sensor::kinect;
+  throw AppError ("--sensor: '" + text + "' must be ideal or kinect");
+}
+
+void
+printHelp (const po::options_description& options)
+{
+  std::cout
+      << "pcl_simulate_rgbd SCENE --output DIR [options]\n\n"
+         "Renders a frame of an RGB-D camera and what is true about it: NAME.pcd, "
+         "NAME_truth.pcd\nand the pictures NAME_colour.png, NAME_depth.png and "
+         "NAME_planes.png, where NAME is\nSCENE_SEED_SENSOR_RESOLUTION.\n\nSCENE "
+         "is one of";
+  for (const auto& scene : sceneNames())
+    std::cout << ' ' << scene;
+  std::cout << "\n\n" << options;
+}
+
+/** Nothing where only help was asked for, which is printed. */
+std::optional<Options>
+readOptions (int argc, char** argv)
+{
+  const auto text = [] (const char* name) {
+    return po::value<std::string>()->value_name (name);
+  };
+  po::options_description options ("Options");
+  options.add_options() ("help", "print this help") (
+      "seed", text ("S")->default_value ("1"), "another layout, viewpoint and noise") (
+      "sensor",
+      text ("ideal|kinect")->default_value ("kinect"),
+      "depth without errors, or with those of Microsoft's first Kinect") (
+      "resolution",
+      text ("vga|qvga|qqvga")->default_value ("vga"),
+      "take every 1st, 2nd or 4th pixel") (
+      "output", text ("DIR"), "write the files there");
+  const po::variables_map values = parseCommandLine (argc, argv, options, "scene", 1);
+  if (values.count ("help")) {
+    printHelp (options);
+    return std::nullopt;
+  }
+  if (!values.count ("scene"))
+    throw AppError ("no SCENE given; see --help");
+  if (!values.count ("output"))
+    throw AppError ("no --output given; see --help");
+
+  const auto value = [&] (const char* name) { return values[name].as<std::string>(); };
+  const auto seed = parseNumber<unsigned> ("--seed", value ("seed"));
+  const std::string scene = values["scene"].as<std::vector<std::string>>().front();
+  return Options{scene,
+                 seed,
+                 parseSensor (value ("sensor")),
+                 parseResolution (value ("resolution")),
+                 value ("output"),
+                 scene + '_' + std::to_string (seed) + '_' + value ("sensor") + '_' +
+                     value ("resolution")};
+}
+
+template <typename PointT>
+std::string
+encodePcd (const pcl::PointCloud<PointT>& cloud)
+{
+  pcl::PCLPointCloud2 blob;
+  pcl::toPCLPointCloud2 (cloud, blob);
+  std::ostringstream stream;
+  if (pcl::PCDWriter().writeBinaryCompressed (
+          stream, blob, cloud.sensor_origin_, cloud.sensor_orientation_) < 0)
+    throw std::runtime_error ("cannot encode a cloud");
+  return stream.str();
+}
+
+Picture
+colourPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
+{
+  Picture picture (cloud.width, cloud.height);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    picture[i] = pcl::RGB (cloud[i].r, cloud[i].g, cloud[i].b);
+  return picture;
+}
+
+/** The true planes, numbered as a segmentation does. */
+pcl::PointCloud<pcl::Label>
+planeLabels (const pcl::PointCloud<TruthPoint>& truth)
+{
+  pcl::PointCloud<pcl::Label> labels (truth.width, truth.height);
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    labels[i].label = truth[i].label == 0 ? unlabelled : truth[i].label - 1;
+  return labels;
+}
+
+void
+simulateRgbd (int argc, char** argv)
+{
+  const auto options = readOptions (argc, argv);
+  if (!options)
+    return;
+  const auto frame = simulate (options->scene, options->seed, options->sensor);
+  const auto cloud = subsample (*frame.cloud, options->step);
+  const auto truth = subsample (*frame.truth, options->step);
+
+  OutputFiles files;
+  files.createFolder (options->output);
+  const auto write = [&] (const char* ending, const std::string& contents) {
+    files.write (options->output / (options->name + ending), contents);
+  };
+  write (".pcd", encodePcd (cloud));
+  write ("_truth.pcd", encodePcd (truth));
+  write ("_colour.png", encodePng (colourPicture (cloud)));
+  write ("_depth.png", encodePng (depthPicture (cloud)));
+  write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));
+  files.commit();
+  std::cout << "Wrote " << (options->output / options->name).string()
+            << ".pcd, _truth.pcd, _colour.png, _depth.png and _planes.png\n";
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return runApp ("pcl_simulate_rgbd", [&] { simulateRgbd (argc, argv); });
+}
