@@ -25,6 +25,10 @@ runApp (const std::string& name, const std::function<void()>& body)
   catch (const std::bad_alloc&) {
     message = "not enough memory for this input";
   }
+  catch (const std::filesystem::filesystem_error& error) {
+    message = error.path1().string() + ": " + error.code().message() +
+              "; change its permissions or give another place";
+  }
   catch (const std::exception& error) {
     message = error.what();
   }
