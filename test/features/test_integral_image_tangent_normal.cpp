@@ -5,6 +5,7 @@
 
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/normal_3d.h>
+#include <pcl/features/two_run_normal.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/kdtree/kdtree_flann.h>
 
@@ -143,6 +144,7 @@ TEST (TangentNormals, AgreeWithBruteForceAtOddSizes)
       p.z = generator() % 8 == 0 ? synthetic::nan : p.z + 0.05f * random (generator);
     Estimation estimation;
     estimation.setRectSize (2 * half_u, 2 * half_v);
+    estimation.setEdgeAware (false);
     const Normals normals = estimate (estimation, scene.cloud);
 
     const auto at = [&] (int u, int v) -> const pcl::PointXYZ& {
@@ -347,7 +349,8 @@ TEST (TangentNormals, BadSettingsAreRefused)
   EXPECT_EQ (estimate (estimation, scene.cloud).size(), expected.size());
 }
 
-/** Against PCL's own plane fit to all neighbours in a radius that grows with range. */
+/** The paper's estimator against PCL's own plane fit to all neighbours in a radius that
+ * grows with range: neither of them knows edges. */
 TEST (TangentNormals, AgreeWithPcaOnRecordings)
 {
   SKIP_WITHOUT_RECORDINGS();
@@ -358,7 +361,9 @@ TEST (TangentNormals, AgreeWithPcaOnRecordings)
                0);
     for (const unsigned step : {1u, 2u}) {
       const Cloud::Ptr cloud = synthetic::subsample (full, step);
-      const Normals normals = estimate (cloud);
+      Estimation plain;
+      plain.setEdgeAware (false);
+      const Normals normals = estimate (plain, cloud);
       pcl::KdTreeFLANN<pcl::PointXYZ> tree;
       tree.setInputCloud (cloud);
       pcl::Indices neighbours;
@@ -396,4 +401,57 @@ TEST (TangentNormals, AgreeWithPcaOnRecordings)
           << name << " step " << step;
     }
   }
+}
+
+/** Against principal component analysis in two runs, which is edge-aware as well; all
+ * points count together, as in pcl_evaluate_normals. */
+TEST (TangentNormals, AgreeWithTwoRunPcaOnRecordings)
+{
+  SKIP_WITHOUT_RECORDINGS();
+  double sum = 0.;
+  std::size_t count = 0, far_off = 0;
+  for (const std::string name : {"learn0", "learn20", "learn40"}) {
+    auto cloud = pcl::make_shared<Cloud>();
+    ASSERT_EQ (pcl::io::loadPCDFile (
+                   synthetic::dataFolder() + "/mosd_learn/" + name + ".pcd", *cloud),
+               0);
+    pcl::TwoRunNormalEstimation<pcl::PointXYZ, pcl::Normal> two_run;
+    Normals reference;
+    two_run.setInputCloud (cloud);
+    two_run.compute (reference);
+    const Normals normals = estimate (cloud);
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      if (std::isfinite (reference[i].normal_x)) {
+        const float angle = angleDegrees (normals[i].getNormalVector3fMap(),
+                                          reference[i].getNormalVector3fMap());
+        ASSERT_FALSE (std::isnan (angle)) << name << " point " << i;
+        ++count;
+        sum += angle;
+        far_off += angle > 25.f;
+      }
+  }
+  EXPECT_LE (sum / static_cast<double> (count), 3.5);
+  EXPECT_LE (static_cast<double> (far_off) / static_cast<double> (count), 0.02);
+}
+
+TEST (TangentNormals, EdgeAwareKeepsCreasesSharp)
+{
+  const std::vector<Surface> crease{tiltedPlane (1.f, 0.f, 45.f),
+                                    tiltedPlane (1.f, 0.f, -45.f)};
+  const Scene scene =
+      render (crease, 640, 480, [] (float z) { return 0.001f + 0.001f * z * z; });
+  const auto meanError = [&] (bool edge_aware) {
+    Estimation estimation;
+    estimation.setEdgeAware (edge_aware);
+    const Normals normals = estimate (estimation, scene.cloud);
+    double sum = 0.;
+    for (int v = 0; v < 480; ++v)
+      for (int u = 310; u < 330; ++u) {
+        const int surface = scene.surface[static_cast<std::size_t> (v * 640 + u)];
+        sum += angleDegrees (normals (u, v).getNormalVector3fMap(),
+                             crease[static_cast<std::size_t> (surface)].normal);
+      }
+    return sum / (480. * 20.);
+  };
+  EXPECT_LT (meanError (true), 0.6 * meanError (false));
 }

@@ -79,11 +79,21 @@ public:
   void
   setRectSize (int width, int height);
 
-  /** \brief Let the smoothing area grow with range^(2/3), up to 8 m; default true. */
+  /** \brief Let the smoothing area grow with the square root of the range, up to 8 m;
+   * default true. */
   void
   setDepthDependentSmoothing (bool use_depth_dependent_smoothing)
   {
     parameters_.depth_dependent_smoothing = use_depth_dependent_smoothing;
+  }
+
+  /** \brief Let points whose smoothing area spans an edge or a crease take the plane of
+   * a neighbouring area on which they lie and which spans none; default true. With
+   * false and setRectSize, this is the paper's estimator. */
+  void
+  setEdgeAware (bool edge_aware)
+  {
+    parameters_.edge_aware = edge_aware;
   }
 
   /** \brief Neighbouring pixels whose ranges differ by more than

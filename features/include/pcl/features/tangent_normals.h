@@ -3,12 +3,13 @@
 
 #pragma once
 
+#include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/tangent_integral_images.h>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -20,8 +21,8 @@ struct TangentNormalParameters {
    * full, half and quarter resolution. */
   float smoothing_width = 0.f;
   float smoothing_height = 0.f;
-  /** Let the area grow with range^(2/3) up to 8 m, which keeps the angular noise of a
-   * structured-light sensor constant. */
+  /** Let the area grow with the square root of the range, up to 8 m: as depth gets
+   * noisier, but not so much that it reaches across everything. */
   bool depth_dependent_smoothing = true;
   /** Neighbouring pixels whose ranges differ by more than 2 * factor * (range + 1 m)
    * lie on different surfaces: no tangent spans them. */
@@ -29,6 +30,11 @@ struct TangentNormalParameters {
   /** No normals where the smoothing area leaves the image, instead of cutting the area.
    */
   bool ignore_border = false;
+  /** Let a point whose smoothing area spans an edge or a crease take the plane of a
+   * neighbouring area on its own side. */
+  bool edge_aware = true;
+  /** Tells the sides apart, for edge_aware. */
+  DepthNoise noise;
   /** Where the sensor is, in the frame of the points; normals face it. */
   std::array<float, 3> viewpoint{{0.f, 0.f, 0.f}};
 };
@@ -42,14 +48,7 @@ struct NormalOutput {
 };
 
 /** \brief Normals from tangents averaged with integral images (Holz et al. 2011,
- * section 3).
- *
- * Each pixel has two tangents, from its left to its right neighbour and from its upper
- * to its lower one. They are divided by the range of the pixel, which makes the result
- * independent of the unit, and summed as fixed-point numbers: integral images of
- * integers are exact, for sums wrap around and differences of them do not. Only the
- * rows that the current windows need are kept.
- */
+ * section 3), and a choice between the areas around a point. */
 class PCL_RGBD_PLANES_EXPORTS TangentNormals {
 public:
   /** \brief Writes one normal for every point: of unit length, towards the viewpoint,
@@ -63,56 +62,35 @@ public:
            const NormalOutput& output);
 
 private:
-  /** Sums of tangents: x, y, z and number of the horizontal ones, then the vertical
-   * ones.
-   */
-  using Sums = std::array<std::uint32_t, 8>;
-
-  struct RangedPoint {
-    std::array<float, 3> p;
-    float range; // 0: missing
-  };
-
   struct HalfSize {
     int u;
     int v;
   };
 
-  void
-  prepareWindows (const OrganizedPoints& points);
+  /** The plane that a smoothing area shows, through the point in its middle. */
+  struct WindowPlane {
+    std::array<float, 3> normal; // NaN: none
+    float distance;              // normal * point
+    float squared_bend;          // between the halves of the area, square radians
+  };
 
   void
-  loadRow (const OrganizedPoints& points, int v, std::vector<RangedPoint>& row) const;
-
-  bool
-  tangent (const RangedPoint& before,
-           const RangedPoint& at,
-           const RangedPoint& after,
-           std::uint32_t* sums) const;
-
-  void
-  appendIntegralRow (int v, int width, int height);
+  prepareSizes (const OrganizedPoints& points);
 
   HalfSize
   halfSize (float range) const;
 
-  Sums*
-  integralRow (int v);
+  WindowPlane
+  fitWindow (const OrganizedPoints& points, int u, int v) const;
 
-  bool
-  normalAt (
-      const OrganizedPoints& points, int u, int v, float* normal, float& curvature);
+  const WindowPlane&
+  bestWindow (const OrganizedPoints& points, int u, int v) const;
 
   TangentNormalParameters parameters_;
-  /** Half-sizes of the smoothing area by range, in bins of bin_size_m. */
+  /** Half-sizes of the smoothing area by range, in equal bins. */
   std::vector<HalfSize> half_sizes_;
-  HalfSize max_half_size_{0, 0};
-  float fixed_point_scale_ = 0.f;
-  /** Integral rows v - max_half_size.v ... v + max_half_size.v + 1, in a ring. */
-  std::vector<Sums> ring_;
-  std::size_t ring_rows_ = 0;
-  std::size_t ring_width_ = 0;
-  std::array<std::vector<RangedPoint>, 3> rows_;
+  TangentIntegralImages integral_images_;
+  std::vector<WindowPlane> windows_;
 };
 
 } // namespace rgbd_planes
