@@ -25,17 +25,6 @@ struct Output {
   std::vector<pcl::PointIndices> inliers;
 };
 
-template <typename Work>
-double
-milliseconds (const Work& work)
-{
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double, std::milli> elapsed =
-      std::chrono::steady_clock::now() - start;
-  return elapsed.count();
-}
-
 void
 convert (const Output& output, std::size_t points, PlaneSet& planes)
 {
@@ -48,63 +37,72 @@ convert (const Output& output, std::size_t points, PlaneSet& planes)
   }
 }
 
+/** \param[in] segment (segmentation, output) runs it on the input it was given */
+template <typename Estimation, typename Segmentation, typename Segment>
+PlaneMethod
+makeMethod (const std::string& name,
+            const std::shared_ptr<Estimation>& estimation,
+            const std::shared_ptr<Segmentation>& segmentation,
+            const Segment& segment)
+{
+  const auto output = std::make_shared<Output>();
+  return {name,
+          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, PlaneSet& set) {
+            const auto start = std::chrono::steady_clock::now();
+            estimation->setInputCloud (cloud);
+            estimation->compute (*output->normals);
+            segmentation->setMinInliers (min_inliers);
+            segmentation->setInputCloud (cloud);
+            segmentation->setInputNormals (output->normals);
+            segment (*segmentation, *output);
+            const std::chrono::duration<double, std::milli> elapsed =
+                std::chrono::steady_clock::now() - start;
+            convert (*output, cloud->size(), set);
+            return elapsed.count();
+          }};
+}
+
 PlaneMethod
 normalSpaceMethod ()
 {
-  struct State : Output {
-    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-  };
-  const auto state = std::make_shared<State>();
-  return {"normal_space",
-          [state] (const Cloud::ConstPtr& cloud, unsigned min_inliers, PlaneSet& set) {
-            auto& [normals, models, inliers] = static_cast<Output&> (*state);
-            const double time = milliseconds ([&] {
-              state->estimation.setInputCloud (cloud);
-              state->estimation.compute (*normals);
-              state->segmentation.setMinInliers (min_inliers);
-              state->segmentation.setInputCloud (cloud);
-              state->segmentation.setInputNormals (normals);
-              state->segmentation.segment (models, inliers);
-            });
-            convert (*state, cloud->size(), set);
-            return time;
-          }};
+  using Estimation =
+      pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
+  using Segmentation = pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal>;
+  return makeMethod ("normal_space",
+                     std::make_shared<Estimation>(),
+                     std::make_shared<Segmentation>(),
+                     [] (Segmentation& segmentation, Output& output) {
+                       segmentation.segment (output.models, output.inliers);
+                     });
 }
 
 PlaneMethod
 organizedMultiPlaneMethod ()
 {
+  using Estimation = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
+  using Segmentation =
+      pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>;
   using Region = pcl::PlanarRegion<pcl::PointXYZ>;
-  struct State : Output {
-    pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-    pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
-        segmentation;
-  };
-  const auto state = std::make_shared<State>();
-  state->estimation.setNormalEstimationMethod (state->estimation.AVERAGE_3D_GRADIENT);
-  state->estimation.setNormalSmoothingSize (10.f);
-  return {"pcl_omps",
-          [state] (const Cloud::ConstPtr& cloud, unsigned min_inliers, PlaneSet& set) {
-            auto& [normals, models, inliers] = static_cast<Output&> (*state);
-            const double time = milliseconds ([&] {
-              state->estimation.setInputCloud (cloud);
-              state->estimation.compute (*normals);
-              state->segmentation.setMinInliers (min_inliers);
-              state->segmentation.setInputCloud (cloud);
-              state->segmentation.setInputNormals (normals);
-              // It appends to its outputs, and reads past the end of used labels.
-              models.clear();
-              inliers.clear();
-              std::vector<Region, Eigen::aligned_allocator<Region>> regions;
-              auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-              std::vector<pcl::PointIndices> label_indices, boundary_indices;
-              state->segmentation.segmentAndRefine (
-                  regions, models, inliers, labels, label_indices, boundary_indices);
-            });
-            convert (*state, cloud->size(), set);
-            return time;
-          }};
+  const auto estimation = std::make_shared<Estimation>();
+  estimation->setNormalEstimationMethod (Estimation::AVERAGE_3D_GRADIENT);
+  estimation->setNormalSmoothingSize (10.f);
+  return makeMethod ("pcl_omps",
+                     estimation,
+                     std::make_shared<Segmentation>(),
+                     [] (Segmentation& segmentation, Output& output) {
+                       // It appends to its outputs, and reads past the end of used labels.
+                       output.models.clear();
+                       output.inliers.clear();
+                       std::vector<Region, Eigen::aligned_allocator<Region>> regions;
+                       auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+                       std::vector<pcl::PointIndices> label_indices, boundary_indices;
+                       segmentation.segmentAndRefine (regions,
+                                                      output.models,
+                                                      output.inliers,
+                                                      labels,
+                                                      label_indices,
+                                                      boundary_indices);
+                     });
 }
 
 } // namespace
