@@ -3,9 +3,9 @@
 
 #pragma once
 
+#include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/depth_noise.h>
 #include <pcl/segmentation/plane_moments.h>
 
 #include <cstddef>
