@@ -9,13 +9,20 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+/** Bounds the memory of the grid: 68 cells along each axis. */
+constexpr float min_cell_size = 0.03f;
+
+} // namespace
+
 void
 NormalSpaceClusters::compute (const OrganizedNormals& normals,
                               const std::vector<std::uint8_t>& use,
                               float angular_threshold,
                               std::size_t min_cell_points)
 {
-  fillGrid (normals, use, 0.5f * angular_threshold);
+  fillGrid (normals, use, std::max (0.5f * angular_threshold, min_cell_size));
   mergeCells (angular_threshold, std::max (min_cell_points, std::size_t{1}));
 }
 
@@ -29,11 +36,12 @@ NormalSpaceClusters::fillGrid (const OrganizedNormals& normals,
   grid_.assign (n * n * n, Cell{});
   labels_.assign (use.size(), none);
   const auto cellAlong = [&] (float component) {
-    const int cell = static_cast<int> ((component + 1.f) / cell_size);
-    return std::clamp (cell, 0, cells_per_axis_ - 1);
+    const float cell = (component + 1.f) / cell_size;
+    return static_cast<int> (
+        std::clamp (cell, 0.f, static_cast<float> (cells_per_axis_ - 1)));
   };
   for (std::size_t i = 0; i < use.size(); ++i) {
-    if (!use[i])
+    if (!(use[i] & clustered))
       continue;
     const float* normal = normals.normal + i * normals.stride;
     const int cell = (cellAlong (normal[2]) * cells_per_axis_ + cellAlong (normal[1])) *

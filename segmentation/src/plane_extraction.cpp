@@ -15,6 +15,8 @@ namespace {
 
 /** Cells of the normal-space grid hold at least this share of all points. */
 constexpr double min_cell_share = 1e-4;
+/** Points with less than this share of the maximum curvature are flat. */
+constexpr float flat_share = 0.1f;
 /** A cluster needs this share of min_inliers to become a candidate. */
 constexpr double min_candidate_share = 0.25;
 /** Planes are joined up to this share of the distance threshold, as rms. */
@@ -67,14 +69,20 @@ PlaneExtraction::markUse (const OrganizedPoints& points,
 {
   use_.assign (points.size(), 0);
   for (std::size_t i = 0; i < use_.size(); ++i) {
-    if (!selected[i] || !isMeasured (points[i]))
+    const float* p = points[i];
+    // Points so far away that their squared range overflows are no measurements either.
+    if (!selected[i] || !isMeasured (p) ||
+        !std::isfinite (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]))
       continue;
-    use_[i] = PlaneAssignment::measured;
+    use_[i] = measured;
     const float* normal = normals.normal + i * normals.stride;
-    const bool bent = normals.curvature && normals.curvature[i * normals.stride] >
-                                               parameters_.maximum_curvature;
-    if (!bent && std::isfinite (normal[0] + normal[1] + normal[2]))
-      use_[i] |= PlaneAssignment::trusted_normal;
+    if (!std::isfinite (normal[0] + normal[1] + normal[2]))
+      continue;
+    const float curvature = normals.curvature[i * normals.stride];
+    if (!(curvature > parameters_.maximum_curvature))
+      use_[i] |= clustered;
+    if (!(curvature > flat_share * parameters_.maximum_curvature))
+      use_[i] |= trusted_normal;
   }
 }
 

@@ -306,6 +306,33 @@ TEST (NormalSpacePlanes, NothingToFindIsNoError)
     ASSERT_EQ (label.label, Segmentation::unlabelled);
 }
 
+TEST (NormalSpacePlanes, OddNumbersSpoilNothing)
+{
+  const Scene scene = render (roomCorner(), 320, 240);
+  auto normals = estimateNormals (scene.cloud);
+  for (std::size_t i = 0; i < scene.cloud->size(); i += 50) {
+    const float huge = i % 100 ? 3e38f : 1e-42f;
+    (*scene.cloud)[i].getVector3fMap() = Eigen::Vector3f (huge, -huge, huge);
+    (*normals)[i + 1].getNormalVector3fMap() = Eigen::Vector3f (huge, huge, -huge);
+  }
+  for (const double angle : {1e-6, 0.15}) {
+    Segmentation segmentation;
+    segmentation.setMinInliers (250);
+    segmentation.setAngularThreshold (angle);
+    segmentation.setInputCloud (scene.cloud);
+    segmentation.setInputNormals (normals);
+    Result result;
+    segmentation.segment (result.models, result.inliers);
+    ASSERT_EQ (result.models.size(), 3u);
+    for (const auto& surface : roomCorner()) {
+      float nearest = 90.f;
+      for (std::size_t k = 0; k < 3; ++k)
+        nearest = std::min (nearest, angleDegrees (result.normal (k), surface.normal));
+      EXPECT_LE (nearest, 0.05f);
+    }
+  }
+}
+
 TEST (NormalSpacePlanes, TakesTheNormalsOfOtherClasses)
 {
   const Scene scene = render (roomCorner());

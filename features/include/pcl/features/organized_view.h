@@ -33,8 +33,8 @@ struct OrganizedPoints {
   }
 };
 
-/** \brief The normals that belong to OrganizedPoints, read in place; \a curvature may
- * be null. Normal i is the three floats at \a normal + i * stride. */
+/** \brief The normals that belong to OrganizedPoints, read in place. Normal i is the three
+ * floats at \a normal + i * stride, its curvature is curvature[i * stride]. */
 struct OrganizedNormals {
   const float* normal = nullptr;
   const float* curvature = nullptr;

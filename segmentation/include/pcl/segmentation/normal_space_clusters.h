@@ -6,6 +6,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/cluster_merging.h>
+#include <pcl/segmentation/point_use.h>
 
 #include <Eigen/Core>
 
@@ -26,11 +27,12 @@ class PCL_RGBD_PLANES_EXPORTS NormalSpaceClusters {
 public:
   static constexpr std::int32_t none = -1;
 
-  /** \brief Clusters the points whose entry in \a use is not 0.
+  /** \brief Clusters the points that are to be.
    * \param[in] normals one for each point, of unit length
-   * \param[in] use one entry for each point
+   * \param[in] use bits of \ref PointUse for each point
    * \param[in] angular_threshold largest angle between the mean normals of merged
-   * clusters, in radians; the cells of the grid are half as wide
+   * clusters, in radians; the cells of the grid are half as wide, at least
+   * 0.03
    * \param[in] min_cell_points cells with fewer points belong to no cluster
    */
   void

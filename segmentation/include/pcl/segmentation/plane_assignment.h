@@ -7,6 +7,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/point_use.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -28,18 +29,12 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
-  /** \brief What is known of a point: bits of an std::uint8_t. */
-  enum Use : std::uint8_t {
-    measured = 1,      /**< asked for, and with a valid position */
-    trusted_normal = 2 /**< with a valid normal on a surface that is not bent */
-  };
-
   /** \brief Which of several planes a point gets: the first one, or the nearest one in
    * standard deviations. */
   enum class Preference { first, nearest };
 
   /** \brief Replaces \a labels, the plane of each point or \ref unlabelled.
-   * \param[in] use bits of \ref Use for each point
+   * \param[in] use bits of \ref PointUse for each point
    */
   void
   assign (const OrganizedPoints& points,

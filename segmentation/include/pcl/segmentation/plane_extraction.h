@@ -26,8 +26,9 @@ struct PlaneExtractionParameters {
   /** Largest distance of a point from its plane at a range of 1 m, in metres; elsewhere
    * the same number of standard deviations of depth. */
   double distance_threshold = 0.009;
-  /** Points with a larger curvature start no cluster. */
-  float maximum_curvature = 0.0015f;
+  /** Points with a larger curvature start no cluster, and those with more than a tenth
+   * of it may join a plane whatever their normal. */
+  float maximum_curvature = 0.02f;
   DepthNoise noise;
 };
 
