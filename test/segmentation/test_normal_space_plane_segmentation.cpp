@@ -50,17 +50,24 @@ estimateNormals (const Cloud::ConstPtr& cloud)
   return normals;
 }
 
+/** Segments the input that \a segmentation was given. */
 void
-segment (Segmentation& segmentation, const Cloud::ConstPtr& cloud, Result& result)
+run (Segmentation& segmentation, Result& result)
 {
-  segmentation.setInputCloud (cloud);
-  segmentation.setInputNormals (estimateNormals (cloud));
   segmentation.segment (result.models,
                         result.inliers,
                         result.centroids,
                         result.covariances,
                         result.labels,
                         result.label_indices);
+}
+
+void
+segment (Segmentation& segmentation, const Cloud::ConstPtr& cloud, Result& result)
+{
+  segmentation.setInputCloud (cloud);
+  segmentation.setInputNormals (estimateNormals (cloud));
+  run (segmentation, result);
 }
 
 Result
@@ -267,12 +274,7 @@ TEST (NormalSpacePlanes, BadInputGivesAnErrorAndEmptyOutputs)
     result.inliers.resize (2);
     result.centroids.resize (2);
     result.labels.resize (4u, 4u);
-    segmentation.segment (result.models,
-                          result.inliers,
-                          result.centroids,
-                          result.covariances,
-                          result.labels,
-                          result.label_indices);
+    run (segmentation, result);
     return result.models.empty() && result.inliers.empty() &&
            result.centroids.empty() && result.labels.empty();
   };
@@ -345,12 +347,7 @@ TEST (NormalSpacePlanes, TakesTheNormalsOfOtherClasses)
   segmentation.setInputCloud (scene.cloud);
   segmentation.setInputNormals (normals);
   Result result;
-  segmentation.segment (result.models,
-                        result.inliers,
-                        result.centroids,
-                        result.covariances,
-                        result.labels,
-                        result.label_indices);
+  run (segmentation, result);
   expectPlanes (scene, roomCorner(), result, 0.1f, 0.001f, 0.02);
 }
 
