@@ -6,8 +6,9 @@ packages=(
   build-essential cmake ninja-build pkg-config git
   libpcl-dev libeigen3-dev libflann-dev libboost-program-options-dev
   libopenmpi-dev # VTK's CMake files look for it
-  libembree-dev nlohmann-json3-dev libpng-dev libgtest-dev
-  clang-format-14
+  libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
+  libgtest-dev libbenchmark-dev
+  clang-format-14 python3
 )
 
 missing=()

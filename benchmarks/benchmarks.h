@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include "clouds.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+namespace pcl {
+namespace rgbd_planes {
+
+void
+registerNormalBenchmarks (const Clouds& frames);
+
+void
+registerPlaneBenchmarks (const Clouds& frames);
+
+/** \brief Registers run (state), which reports an error or calls measure(). */
+template <typename Run>
+void
+addBenchmark (const std::string& name, const Run& run)
+{
+  benchmark::RegisterBenchmark (name.c_str(), run)->Unit (benchmark::kMillisecond);
+}
+
+/** \brief Times compute (cloud). An iteration is one cloud, and all of them get as many;
+ * before that, each is computed once so that all memory is in place. */
+template <typename Compute>
+void
+measure (benchmark::State& state, const Clouds& clouds, const Compute& compute)
+{
+  for (const auto& cloud : clouds)
+    compute (cloud);
+  while (
+      state.KeepRunningBatch (static_cast<benchmark::IterationCount> (clouds.size())))
+    for (const auto& cloud : clouds)
+      compute (cloud);
+  const auto points = static_cast<std::int64_t> (clouds.front()->size());
+  state.SetItemsProcessed (state.iterations() * points);
+  state.counters["points"] = static_cast<double> (points);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

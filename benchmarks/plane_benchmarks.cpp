@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "benchmarks.h"
+
+#include <pcl/apps/input_options.h>
+#include <pcl/features/integral_image_normal.h>
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/organized_multi_plane_segmentation.h>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** 1000 points at VGA, as in pcl_evaluate_planes. */
+unsigned
+minInliers (const Cloud& cloud)
+{
+  return static_cast<unsigned> (cloud.size() * 1000 / (640 * 480));
+}
+
+void
+normalSpace (benchmark::State& state, const Clouds& clouds)
+{
+  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+  segmentation.setMinInliers (minInliers (*clouds.front()));
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers;
+  measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
+    estimation.setInputCloud (cloud);
+    estimation.compute (*normals);
+    segmentation.setInputCloud (cloud);
+    segmentation.setInputNormals (normals);
+    segmentation.segment (models, inliers);
+  });
+}
+
+void
+organizedMultiPlane (benchmark::State& state, const Clouds& clouds)
+{
+  using Estimation = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
+  using Region = pcl::PlanarRegion<pcl::PointXYZ>;
+  Estimation estimation;
+  estimation.setNormalEstimationMethod (Estimation::AVERAGE_3D_GRADIENT);
+  estimation.setNormalSmoothingSize (10.f);
+  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
+      segmentation;
+  segmentation.setMinInliers (minInliers (*clouds.front()));
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers;
+  measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
+    estimation.setInputCloud (cloud);
+    estimation.compute (*normals);
+    segmentation.setInputCloud (cloud);
+    segmentation.setInputNormals (normals);
+    // It appends to its outputs, and reads past the end of used labels.
+    models.clear();
+    inliers.clear();
+    std::vector<Region, Eigen::aligned_allocator<Region>> regions;
+    auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+    std::vector<pcl::PointIndices> label_indices, boundary_indices;
+    segmentation.segmentAndRefine (
+        regions, models, inliers, labels, label_indices, boundary_indices);
+  });
+}
+
+} // namespace
+
+void
+registerPlaneBenchmarks (const Clouds& frames)
+{
+  for (const std::uint32_t step : {1u, 2u, 4u}) {
+    const std::string resolution = '/' + resolutionName (step);
+    addBenchmark ("planes/normal_space" + resolution, [=] (benchmark::State& state) {
+      normalSpace (state, subsample (frames, step));
+    });
+    addBenchmark ("planes/pcl_omps" + resolution, [=] (benchmark::State& state) {
+      organizedMultiPlane (state, subsample (frames, step));
+    });
+  }
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
