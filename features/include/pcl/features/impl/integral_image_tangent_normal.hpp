@@ -8,8 +8,6 @@
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 
-#include <type_traits>
-
 namespace pcl {
 
 template <typename PointInT, typename PointOutT>
@@ -77,12 +75,9 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
 {
   parameters_.viewpoint = this->viewpoint();
   const auto computeAll = [this] (auto& cloud) {
-    using PointT = typename std::decay_t<decltype (cloud)>::PointType;
-    auto& first = cloud.front();
-    return tangent_normals_.compute (
-        rgbd_planes::viewPoints (*input_),
-        parameters_,
-        {&first.normal_x, &first.curvature, sizeof (PointT) / sizeof (float)});
+    return tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
+                                     parameters_,
+                                     rgbd_planes::viewNormals (cloud));
   };
   if (!this->forIndices())
     return computeAll (output);

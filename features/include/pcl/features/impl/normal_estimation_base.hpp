@@ -76,8 +76,12 @@ NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output
   output.is_dense = output.empty() || computeNormals (output) == output.size();
 
   if constexpr (pcl::traits::has_xyz<PointOutT>::value)
-    for (std::size_t i = 0; i < output.size(); ++i)
-      output[i].getVector3fMap() = (*input_)[(*indices_)[i]].getVector3fMap();
+    for (std::size_t i = 0; i < output.size(); ++i) {
+      const PointInT& point = (*input_)[(*indices_)[i]];
+      output[i].x = point.x;
+      output[i].y = point.y;
+      output[i].z = point.z;
+    }
 }
 
 } // namespace rgbd_planes

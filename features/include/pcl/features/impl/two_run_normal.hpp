@@ -127,13 +127,12 @@ TwoRunNormalEstimation<PointInT, PointOutT>::computeNormals (PointCloudOut& outp
   parameters_.viewpoint = this->viewpoint();
   Eigen::Vector3f::Map (parameters_.viewing_axis.data()) =
       (input_->sensor_orientation_ * Eigen::Vector3f::UnitZ()).normalized();
-  PointOutT& first = output.front();
   return rgbd_planes::computeTwoRunNormals (
       rgbd_planes::viewAnyPoints (*input_),
       *indices_,
       rgbd_planes::viewAnyPoints (surface_ ? *surface_ : *input_),
       parameters_,
-      {&first.normal_x, &first.curvature, sizeof (PointOutT) / sizeof (float)});
+      rgbd_planes::viewNormals (output));
 }
 
 } // namespace pcl
