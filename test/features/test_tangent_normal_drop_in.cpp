@@ -5,6 +5,7 @@
 
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/features/two_run_normal.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 #include <gtest/gtest.h>
@@ -127,6 +128,47 @@ TEST (TangentNormalDropIn, SamePipelineWithTheTypeNameSwapped)
   EXPECT_LT (their_normals.second, measured);
   EXPECT_EQ (surfacesFound (ours.planes), surfaces().size());
   EXPECT_GE (surfacesFound (ours.planes), surfacesFound (theirs.planes));
+}
+
+template <typename PointInT, typename PointOutT>
+void
+expectBothLinked ()
+{
+  pcl::IntegralImageTangentNormalEstimation<PointInT, PointOutT> tangents;
+  pcl::TwoRunNormalEstimation<PointInT, PointOutT> two_runs;
+  pcl::PointCloud<PointOutT> normals (1, 1);
+  tangents.compute (normals);
+  EXPECT_TRUE (normals.empty());
+  two_runs.compute (normals);
+  float x, y, z;
+  tangents.getViewPoint (x, y, z);
+  EXPECT_EQ (Eigen::Vector3f (x, y, z), Eigen::Vector3f::Zero());
+}
+
+template <typename... PointsInT>
+void
+expectLinked ()
+{
+  (expectBothLinked<PointsInT, pcl::Normal>(), ...);
+  (expectBothLinked<PointsInT, pcl::PointNormal>(), ...);
+  (expectBothLinked<PointsInT, pcl::PointXYZRGBNormal>(), ...);
+  (expectBothLinked<PointsInT, pcl::PointXYZINormal>(), ...);
+  (expectBothLinked<PointsInT, pcl::PointSurfel>(), ...);
+}
+
+/** The library has the estimators for all of PCL's types, as PCL itself would. */
+TEST (TangentNormalDropIn, LinksWithThePointTypesOfPcl)
+{
+  ::testing::internal::CaptureStderr(); // there are no clouds
+  expectLinked<pcl::PointXYZ,
+               pcl::PointXYZI,
+               pcl::PointXYZL,
+               pcl::PointXYZRGB,
+               pcl::PointXYZRGBA,
+               pcl::PointWithViewpoint,
+               pcl::PointNormal,
+               pcl::PointXYZRGBNormal>();
+  ::testing::internal::GetCapturedStderr();
 }
 
 /** All of its enumerators, with their values. */
