@@ -115,6 +115,14 @@ TEST (TangentNormalInterface, EverySetterHasAnEffect)
   }
 }
 
+TEST (TangentNormalInterface, SearchSurfaceHasNoEffect)
+{
+  const Cloud::Ptr cloud = makeHoles();
+  Estimation estimation;
+  estimation.setSearchSurface (render ({tiltedPlane (2.f, 0.f, 0.f)}, 8, 8).cloud);
+  EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate<Estimation> (cloud)));
+}
+
 TEST (TangentNormalInterface, BorderPolicyIgnoreLeavesTheBorderOut)
 {
   const Cloud::Ptr cloud = render ({tiltedPlane (1.f, 0.f, 0.f)}, 64, 48).cloud;

@@ -15,8 +15,10 @@ namespace pcl {
  * integral images (Holz, Holzer, Rusu, Behnke: Real-Time Plane Segmentation using RGB-D
  * Cameras, 2011, section 3).
  *
- * A replacement for pcl::IntegralImageNormalEstimation: every valid point gets a
- * normal, image borders included. Time is linear in the number of points and does not
+ * A replacement for pcl::IntegralImageNormalEstimation that takes all of its setters,
+ * so that swapping the type name is enough. Other than there, borders and smoothing that
+ * grows with range are on unless switched off, setRectSize has an effect, and every
+ * valid point gets a normal. Time is linear in the number of points and does not
  * depend on the size of the smoothing area.
  *
  * \code
@@ -34,7 +36,10 @@ namespace pcl {
  * PointOutT has them.
  *
  * A null, empty or unorganized cloud, or an index outside of it: an error message and
- * an empty output.
+ * an empty output. setKSearch, setRadiusSearch, setSearchMethod and setSearchSurface have
+ * no effect. Nothing is allocated after the first of several clouds of the same size.
+ *
+ * Objects are copyable; several threads need one each.
  *
  * \ingroup features
  */
