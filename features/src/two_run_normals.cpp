@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <omp.h>
-
 #include <pcl/features/organized_ball_search.h>
+#include <pcl/features/threads.h>
 #include <pcl/features/two_run_normals.h>
 #include <pcl/features/two_run_plane.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -130,8 +129,7 @@ computeTwoRunNormals (const OrganizedPoints& points,
                                      ? searchWindow (points, parameters.window_size)
                                  : surface.height > 1 ? searchImage (surface)
                                                       : searchTree (surface);
-  const int threads = parameters.threads > 0 ? static_cast<int> (parameters.threads)
-                                             : omp_get_num_procs();
+  const auto threads = static_cast<int> (numberOfThreads (parameters.threads));
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   std::size_t valid = 0;
 #pragma omp parallel num_threads(threads) reduction(+ : valid)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "synthetic_clouds.h"
+#include "normal_clouds.h"
 
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/normal_3d.h>
@@ -14,32 +14,15 @@
 #include <algorithm>
 
 using synthetic::angleDegrees;
-using synthetic::Cloud;
 using synthetic::render;
 using synthetic::Scene;
 using synthetic::Surface;
 using synthetic::tiltedPlane;
+using namespace normal_clouds;
 using Estimation =
     pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
-using Normals = pcl::PointCloud<pcl::Normal>;
 
 namespace {
-
-Normals
-estimate (Estimation& estimation, const Cloud::ConstPtr& cloud)
-{
-  Normals normals;
-  estimation.setInputCloud (cloud);
-  estimation.compute (normals);
-  return normals;
-}
-
-Normals
-estimate (const Cloud::ConstPtr& cloud)
-{
-  Estimation estimation;
-  return estimate (estimation, cloud);
-}
 
 /** The largest angle to the true normals; NaN where a valid point has no normal. */
 float
@@ -58,12 +41,6 @@ largestErrorDegrees (const Scene& scene,
   return largest;
 }
 
-bool
-sameNormal (const pcl::Normal& a, const pcl::Normal& b)
-{
-  return std::equal (a.data_n, a.data_n + 3, b.data_n) && a.curvature == b.curvature;
-}
-
 } // namespace
 
 TEST (TangentNormals, TiltedPlaneIsExactAtEveryResolution)
@@ -73,7 +50,7 @@ TEST (TangentNormals, TiltedPlaneIsExactAtEveryResolution)
          {std::pair (0.f, 0.f), {30.f, 0.f}, {-20.f, 40.f}, {0.f, 60.f}}) {
       const std::vector<Surface> plane{tiltedPlane (1.5f, tilt.first, tilt.second)};
       const Scene scene = render (plane, 640 / divisor, 480 / divisor);
-      const Normals normals = estimate (scene.cloud);
+      const Normals normals = estimate<Estimation> (scene.cloud);
       ASSERT_EQ (normals.width, scene.cloud->width);
       ASSERT_EQ (normals.height, scene.cloud->height);
       EXPECT_LE (largestErrorDegrees (scene, plane, normals), 0.1f)
@@ -102,7 +79,7 @@ TEST (TangentNormals, MissingPointsHaveNoNormalAndSpoilNoOther)
     if (hole[i])
       (*scene.cloud)[i].getVector3fMap() = missing[i % missing.size()];
   }
-  const Normals normals = estimate (scene.cloud);
+  const Normals normals = estimate<Estimation> (scene.cloud);
   EXPECT_FALSE (normals.is_dense);
   for (std::size_t i = 0; i < hole.size(); ++i)
     if (hole[i]) {
@@ -122,7 +99,8 @@ TEST (TangentNormals, NoTangentSpansADepthStep)
   const std::vector<Surface> planes{{{0.f, 0.f, -1.f}, 1.f, left},
                                     {{0.f, 0.f, -1.f}, 2.f}};
   const Scene scene = render (planes, 320, 240);
-  EXPECT_LE (largestErrorDegrees (scene, planes, estimate (scene.cloud)), 0.1f);
+  EXPECT_LE (largestErrorDegrees (scene, planes, estimate<Estimation> (scene.cloud)),
+             0.1f);
 
   Estimation no_gate;
   no_gate.setMaxDepthChangeFactor (10.f);
@@ -190,29 +168,12 @@ TEST (TangentNormals, AgreeWithBruteForceAtOddSizes)
   }
 }
 
-TEST (TangentNormals, SmoothingGrowsWithRange)
-{
-  const auto meanError = [] (float depth, bool depth_dependent) {
-    const std::vector<Surface> plane{tiltedPlane (depth, 0.f, 0.f)};
-    const Scene scene = render (plane, 320, 240, [] (float z) { return 0.001f * z; });
-    Estimation estimation;
-    estimation.setDepthDependentSmoothing (depth_dependent);
-    const Normals normals = estimate (estimation, scene.cloud);
-    double sum = 0.;
-    for (const auto& normal : normals)
-      sum += angleDegrees (normal.getNormalVector3fMap(), plane[0].normal);
-    return sum / static_cast<double> (normals.size());
-  };
-  EXPECT_NEAR (meanError (4.f, false), meanError (1.f, false), 0.1);
-  EXPECT_LT (meanError (4.f, true), 0.5 * meanError (4.f, false));
-}
-
 TEST (TangentNormals, CurvatureTellsACreaseFromAPlane)
 {
   const std::vector<Surface> crease{tiltedPlane (1.f, 0.f, 40.f),
                                     tiltedPlane (1.f, 0.f, -40.f)};
   const Scene scene = render (crease, 320, 240);
-  const Normals normals = estimate (scene.cloud);
+  const Normals normals = estimate<Estimation> (scene.cloud);
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u) {
       const float distance = std::abs (static_cast<float> (u) - 159.5f);
@@ -224,129 +185,6 @@ TEST (TangentNormals, CurvatureTellsACreaseFromAPlane)
         EXPECT_LT (curvature, 1e-5f);
       }
     }
-}
-
-TEST (TangentNormals, BorderPolicyIgnoreLeavesTheBorderOut)
-{
-  const Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 64, 48);
-  Estimation estimation;
-  estimation.setRectSize (8, 4);
-  estimation.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE);
-  const Normals normals = estimate (estimation, scene.cloud);
-  for (int v = 0; v < 48; ++v)
-    for (int u = 0; u < 64; ++u)
-      EXPECT_EQ (std::isfinite (normals (u, v).normal_x),
-                 u >= 4 && u < 60 && v >= 2 && v < 46)
-          << u << " " << v;
-}
-
-TEST (TangentNormals, BadInputGivesAnErrorAndAnEmptyOutput)
-{
-  const auto isRefused = [] (Estimation& estimation) {
-    Normals normals (3, 2);
-    estimation.compute (normals);
-    return normals.empty() && normals.width == 0 && normals.height == 0;
-  };
-  Estimation estimation;
-  EXPECT_TRUE (isRefused (estimation)) << "no cloud";
-  estimation.setInputCloud (nullptr);
-  EXPECT_TRUE (isRefused (estimation)) << "null";
-  estimation.setInputCloud (pcl::make_shared<Cloud>());
-  EXPECT_TRUE (isRefused (estimation)) << "empty";
-  estimation.setInputCloud (pcl::make_shared<Cloud> (100, 1));
-  EXPECT_TRUE (isRefused (estimation)) << "unorganized";
-  auto torn = pcl::make_shared<Cloud> (10, 10);
-  torn->points.resize (50);
-  estimation.setInputCloud (torn);
-  EXPECT_TRUE (isRefused (estimation)) << "fewer points than width x height";
-
-  estimation.setInputCloud (render ({tiltedPlane (1.f, 0.f, 0.f)}, 8, 8).cloud);
-  for (const int index : {-1, 64}) {
-    estimation.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{0, index}));
-    EXPECT_TRUE (isRefused (estimation)) << "index " << index;
-  }
-}
-
-TEST (TangentNormals, IndicesGiveOneNormalEach)
-{
-  const Scene scene =
-      render ({tiltedPlane (1.f, 10.f, 0.f)}, 40, 30, [] (float) { return 0.002f; });
-  const Normals all = estimate (scene.cloud);
-
-  pcl::Indices reversed (all.size());
-  for (std::size_t i = 0; i < reversed.size(); ++i)
-    reversed[i] = static_cast<pcl::index_t> (all.size() - 1 - i);
-  for (const pcl::Indices& indices :
-       {pcl::Indices{7, 3, 3, 1199}, reversed, pcl::Indices{}}) {
-    Estimation estimation;
-    estimation.setIndices (pcl::make_shared<pcl::Indices> (indices));
-    const Normals some = estimate (estimation, scene.cloud);
-    ASSERT_EQ (some.size(), indices.size());
-    ASSERT_EQ (some.width, indices.size());
-    for (std::size_t i = 0; i < indices.size(); ++i)
-      ASSERT_TRUE (sameNormal (some[i], all[indices[i]]));
-  }
-}
-
-TEST (TangentNormals, ObjectsAreReusableAndCopyable)
-{
-  const Scene large = render ({tiltedPlane (1.f, 10.f, 0.f)}, 160, 120);
-  const Scene small = render ({tiltedPlane (2.f, 0.f, 30.f)}, 33, 17);
-  Estimation used;
-  estimate (used, large.cloud);
-  Estimation copy = used;
-  for (Estimation* estimation : {&used, &copy}) {
-    const Normals normals = estimate (*estimation, small.cloud);
-    const Normals expected = estimate (small.cloud);
-    ASSERT_EQ (normals.size(), expected.size());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-      ASSERT_TRUE (sameNormal (normals[i], expected[i]));
-  }
-}
-
-TEST (TangentNormals, NormalsFaceTheViewpoint)
-{
-  const Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 32, 24);
-  scene.cloud->sensor_origin_ = Eigen::Vector4f (0.f, 0.f, 3.f, 0.f);
-  Estimation estimation;
-  EXPECT_NEAR (estimate (estimation, scene.cloud)[100].normal_z, 1.f, 1e-3f);
-  estimation.setViewPoint (0.f, 0.f, 0.f);
-  EXPECT_NEAR (estimate (estimation, scene.cloud)[100].normal_z, -1.f, 1e-3f);
-  estimation.useSensorOriginAsViewPoint();
-  const Normals normals = estimate (estimation, scene.cloud);
-  EXPECT_NEAR (normals[100].normal_z, 1.f, 1e-3f);
-  EXPECT_EQ (normals.sensor_origin_, scene.cloud->sensor_origin_);
-}
-
-TEST (TangentNormals, ActsAsAFeatureAndCopiesCoordinates)
-{
-  const Scene scene = render ({tiltedPlane (1.f, 20.f, 0.f)}, 32, 24);
-  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::PointNormal> estimation;
-  pcl::Feature<pcl::PointXYZ, pcl::PointNormal>& feature = estimation;
-  feature.setInputCloud (scene.cloud);
-  feature.setKSearch (10);
-  pcl::PointCloud<pcl::PointNormal> output;
-  feature.compute (output);
-  ASSERT_EQ (output.size(), scene.cloud->size());
-  EXPECT_EQ (output (5, 6).getVector3fMap(), (*scene.cloud) (5, 6).getVector3fMap());
-  EXPECT_TRUE (std::isfinite (output (5, 6).normal_z));
-}
-
-TEST (TangentNormals, BadSettingsAreRefused)
-{
-  const Scene scene =
-      render ({tiltedPlane (1.f, 10.f, 0.f)}, 40, 30, [] (float) { return 0.002f; });
-  Estimation estimation;
-  estimation.setNormalSmoothingSize (0.f);
-  estimation.setNormalSmoothingSize (synthetic::nan);
-  estimation.setRectSize (0, 5);
-  estimation.setMaxDepthChangeFactor (-1.f);
-  const Normals normals = estimate (estimation, scene.cloud);
-  const Normals expected = estimate (scene.cloud);
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    ASSERT_TRUE (sameNormal (normals[i], expected[i]));
-  estimation.setNormalSmoothingSize (1e9f); // larger than any image
-  EXPECT_EQ (estimate (estimation, scene.cloud).size(), expected.size());
 }
 
 /** The paper's estimator against PCL's own plane fit to all neighbours in a radius that
@@ -419,7 +257,7 @@ TEST (TangentNormals, AgreeWithTwoRunPcaOnRecordings)
     Normals reference;
     two_run.setInputCloud (cloud);
     two_run.compute (reference);
-    const Normals normals = estimate (cloud);
+    const Normals normals = estimate<Estimation> (cloud);
     for (std::size_t i = 0; i < cloud->size(); ++i)
       if (std::isfinite (reference[i].normal_x)) {
         const float angle = angleDegrees (normals[i].getNormalVector3fMap(),

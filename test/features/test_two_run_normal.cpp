@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "two_run_clouds.h"
+#include "normal_clouds.h"
 
 #include <pcl/console/print.h>
 #include <pcl/features/normal_3d.h>
+#include <pcl/features/two_run_normal.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@
 
 using synthetic::angleDegrees;
 using synthetic::tiltedPlane;
-using namespace two_run;
+using namespace normal_clouds;
+using Estimation = pcl::TwoRunNormalEstimation<pcl::PointXYZ, pcl::Normal>;
 
 namespace {
 
@@ -93,7 +95,7 @@ expectLikeOracle (const Cloud& cloud, const Normals& normals, int window = 1000)
 TEST (TwoRunNormal, LikeOracleWithHoles)
 {
   const Cloud::Ptr cloud = makeHoles();
-  expectLikeOracle (*cloud, compute (cloud));
+  expectLikeOracle (*cloud, estimate<Estimation> (cloud));
 }
 
 TEST (TwoRunNormal, WindowLikeOracle)
@@ -112,7 +114,7 @@ TEST (TwoRunNormal, UnorganizedLikeOracle)
   const Cloud::Ptr cloud = makeHoles();
   cloud->width = static_cast<std::uint32_t> (cloud->size());
   cloud->height = 1;
-  const Normals normals = compute (cloud);
+  const Normals normals = estimate<Estimation> (cloud);
   EXPECT_EQ (normals.width, cloud->width);
   EXPECT_EQ (normals.height, 1u);
   expectLikeOracle (*cloud, normals);
@@ -123,7 +125,7 @@ TEST (TwoRunNormal, IdealPlane)
   const synthetic::Surface plane = tiltedPlane (1.f, 15.f, -10.f);
   for (const int width : {640, 320, 160}) {
     const Normals normals =
-        compute (synthetic::render ({plane}, width, width * 3 / 4).cloud);
+        estimate<Estimation> (synthetic::render ({plane}, width, width * 3 / 4).cloud);
     EXPECT_EQ (normals.width, width);
     EXPECT_EQ (normals.height, width * 3 / 4);
     EXPECT_TRUE (normals.is_dense);
@@ -140,7 +142,7 @@ TEST (TwoRunNormal, CloserToTrueNormalsAtEdgesThanOneRun)
   const std::vector<synthetic::Surface> walls = twoWalls();
   const synthetic::Scene scene =
       synthetic::render (walls, 320, 240, [] (float) { return 0.0015f; });
-  const Normals two_runs = compute (scene.cloud);
+  const Normals two_runs = estimate<Estimation> (scene.cloud);
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setInputCloud (scene.cloud);
   estimation.setRadiusSearch (0.02);
@@ -201,7 +203,8 @@ TEST (TwoRunNormal, RadiusGrowsAlongTheViewingAxis)
   in_world->sensor_origin_.head<3>() = pose.translation();
   in_world->sensor_orientation_ = Eigen::Quaternionf (pose.linear());
 
-  const Normals expected = compute (in_camera), normals = compute (in_world);
+  const Normals expected = estimate<Estimation> (in_camera),
+                normals = estimate<Estimation> (in_world);
   EXPECT_EQ (normals.sensor_origin_, in_world->sensor_origin_);
   EXPECT_TRUE (normals.sensor_orientation_.isApprox (in_world->sensor_orientation_));
   std::size_t different = 0;
@@ -214,7 +217,7 @@ TEST (TwoRunNormal, RadiusGrowsAlongTheViewingAxis)
 
   // OpenNI drivers turn the axis backwards.
   in_camera->sensor_orientation_ = Eigen::Quaternionf (0.f, 1.f, 0.f, 0.f);
-  EXPECT_TRUE (sameBits (compute (in_camera), expected));
+  EXPECT_TRUE (sameBits (estimate<Estimation> (in_camera), expected));
 }
 
 TEST (TwoRunNormal, TooFewNeighboursAndLines)
@@ -233,7 +236,7 @@ TEST (TwoRunNormal, TooFewNeighboursAndLines)
       new Cloud (4, 1, pcl::PointXYZ (0.f, 0.f, 0.f)));
   for (const auto& cloud :
        {line, image_line, two, pixel, same, nothing, nothing_unorganized}) {
-    const Normals normals = compute (cloud);
+    const Normals normals = estimate<Estimation> (cloud);
     ASSERT_EQ (normals.size(), cloud->size());
     EXPECT_FALSE (normals.is_dense);
     for (const pcl::Normal& normal : normals)

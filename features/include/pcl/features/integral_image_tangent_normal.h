@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include <pcl/features/feature.h>
+#include <pcl/features/normal_estimation_base.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/tangent_normals.h>
+#include <pcl/features/threads.h>
 #include <pcl/point_types.h>
 
 namespace pcl {
@@ -14,8 +15,10 @@ namespace pcl {
  * integral images (Holz, Holzer, Rusu, Behnke: Real-Time Plane Segmentation using RGB-D
  * Cameras, 2011, section 3).
  *
- * A replacement for pcl::IntegralImageNormalEstimation: every valid point gets a
- * normal, image borders included. Time is linear in the number of points and does not
+ * A replacement for pcl::IntegralImageNormalEstimation that takes all of its setters,
+ * so that swapping the type name is enough. Other than there, borders and smoothing that
+ * grows with range are on unless switched off, setRectSize has an effect, and every
+ * valid point gets a normal. Time is linear in the number of points and does not
  * depend on the size of the smoothing area.
  *
  * \code
@@ -33,24 +36,27 @@ namespace pcl {
  * PointOutT has them.
  *
  * A null, empty or unorganized cloud, or an index outside of it: an error message and
- * an empty output.
+ * an empty output. setKSearch, setRadiusSearch, setSearchMethod and setSearchSurface have
+ * no effect. Nothing is allocated after the first of several clouds of the same size.
+ *
+ * Objects are copyable; several threads need one each.
  *
  * \ingroup features
  */
 template <typename PointInT, typename PointOutT>
 class PCL_RGBD_PLANES_EXPORTS IntegralImageTangentNormalEstimation
-: public Feature<PointInT, PointOutT> {
-  using Feature<PointInT, PointOutT>::feature_name_;
-  using Feature<PointInT, PointOutT>::indices_;
-  using Feature<PointInT, PointOutT>::input_;
-  using Feature<PointInT, PointOutT>::use_indices_;
+: public rgbd_planes::NormalEstimationBase<PointInT, PointOutT> {
+  using Base = rgbd_planes::NormalEstimationBase<PointInT, PointOutT>;
+  using Base::feature_name_;
+  using Base::indices_;
+  using Base::input_;
 
 public:
   using Ptr = shared_ptr<IntegralImageTangentNormalEstimation<PointInT, PointOutT>>;
   using ConstPtr =
       shared_ptr<const IntegralImageTangentNormalEstimation<PointInT, PointOutT>>;
-  using PointCloudIn = typename Feature<PointInT, PointOutT>::PointCloudIn;
-  using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
+  using typename Base::PointCloudIn;
+  using typename Base::PointCloudOut;
 
   /** \brief What to do where the smoothing area leaves the image. */
   enum BorderPolicy {
@@ -58,10 +64,24 @@ public:
     BORDER_POLICY_MIRROR /**< the part of the area inside the image is used (default) */
   };
 
+  /** \brief The methods of pcl::IntegralImageNormalEstimation. */
+  enum NormalEstimationMethod {
+    COVARIANCE_MATRIX,
+    AVERAGE_3D_GRADIENT,
+    AVERAGE_DEPTH_CHANGE,
+    SIMPLE_3D_GRADIENT
+  };
+
   IntegralImageTangentNormalEstimation()
   {
     feature_name_ = "IntegralImageTangentNormalEstimation";
   }
+
+  /** \brief Has no effect, for there is one method here: accepted so that the type name
+   * of pcl::IntegralImageNormalEstimation can be swapped for this one. */
+  void
+  setNormalEstimationMethod (NormalEstimationMethod)
+  {}
 
   /** \brief Width and height of the smoothing area in pixels. Where the area grows with
    * range, this is its size at 1 m. Default: 1/40 of the image width, at least 6.
@@ -111,38 +131,22 @@ public:
     parameters_.ignore_border = border_policy == BORDER_POLICY_IGNORE;
   }
 
-  /** \brief Where the sensor is, in the frame and unit of the points: normals face it,
-   * and ranges are distances from it. */
+  /** \brief The number of threads; 0 for one on each processor, default 1. The result
+   * does not depend on it. */
   void
-  setViewPoint (float vpx, float vpy, float vpz)
+  setNumberOfThreads (unsigned int nr_threads = 0)
   {
-    parameters_.viewpoint = {{vpx, vpy, vpz}};
-    use_sensor_origin_ = false;
+    parameters_.threads = rgbd_planes::numberOfThreads (nr_threads);
   }
-
-  /** \brief The viewpoint in use: the one set, or else the sensor origin of the input,
-   * or else (0, 0, 0). */
-  void
-  getViewPoint (float& vpx, float& vpy, float& vpz) const;
-
-  /** \brief Take the sensor origin of the input cloud as the viewpoint (default). */
-  void
-  useSensorOriginAsViewPoint ()
-  {
-    use_sensor_origin_ = true;
-  }
-
-protected:
-  /** \brief Checks the input. The search structures of Feature are not needed. */
-  bool
-  initCompute () override;
 
 private:
-  void
-  computeFeature (PointCloudOut& output) override;
+  std::string
+  complaint () const override;
+
+  std::size_t
+  computeNormals (PointCloudOut& output) override;
 
   rgbd_planes::TangentNormalParameters parameters_;
-  bool use_sensor_origin_ = true;
   rgbd_planes::TangentNormals tangent_normals_;
   /** The normals of the whole cloud, where only some are asked for. */
   pcl::PointCloud<pcl::Normal> all_normals_;

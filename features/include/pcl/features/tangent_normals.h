@@ -33,6 +33,8 @@ struct TangentNormalParameters {
   /** Let a point whose smoothing area spans an edge or a crease take the plane of a
    * neighbouring area on its own side. */
   bool edge_aware = true;
+  /** The number of threads, 1 or more; the result does not depend on it. */
+  unsigned int threads = 1;
   /** Tells the sides apart, for edge_aware. */
   DepthNoise noise;
   /** Where the sensor is, in the frame of the points; normals face it. */

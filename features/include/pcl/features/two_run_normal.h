@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/features/feature.h>
+#include <pcl/features/normal_estimation_base.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/two_run_normals.h>
 #include <pcl/point_types.h>
@@ -44,18 +44,18 @@ namespace pcl {
  */
 template <typename PointInT, typename PointOutT>
 class PCL_RGBD_PLANES_EXPORTS TwoRunNormalEstimation
-: public Feature<PointInT, PointOutT> {
-  using Feature<PointInT, PointOutT>::feature_name_;
-  using Feature<PointInT, PointOutT>::indices_;
-  using Feature<PointInT, PointOutT>::input_;
-  using Feature<PointInT, PointOutT>::surface_;
-  using Feature<PointInT, PointOutT>::use_indices_;
+: public rgbd_planes::NormalEstimationBase<PointInT, PointOutT> {
+  using Base = rgbd_planes::NormalEstimationBase<PointInT, PointOutT>;
+  using Base::feature_name_;
+  using Base::indices_;
+  using Base::input_;
+  using Base::surface_;
 
 public:
   using Ptr = shared_ptr<TwoRunNormalEstimation<PointInT, PointOutT>>;
   using ConstPtr = shared_ptr<const TwoRunNormalEstimation<PointInT, PointOutT>>;
-  using PointCloudIn = typename Feature<PointInT, PointOutT>::PointCloudIn;
-  using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
+  using typename Base::PointCloudIn;
+  using typename Base::PointCloudOut;
 
   TwoRunNormalEstimation() { feature_name_ = "TwoRunNormalEstimation"; }
 
@@ -111,41 +111,14 @@ public:
     parameters_.threads = nr_threads;
   }
 
-  /** \brief Where the sensor is, in the frame and unit of the points: normals face it.
-   */
-  void
-  setViewPoint (float vpx, float vpy, float vpz)
-  {
-    parameters_.viewpoint = {{vpx, vpy, vpz}};
-    use_sensor_origin_ = false;
-  }
-
-  /** \brief The viewpoint in use: the one set, or else the sensor origin of the input,
-   * or else (0, 0, 0). */
-  void
-  getViewPoint (float& vpx, float& vpy, float& vpz) const;
-
-  /** \brief Take the sensor origin of the input cloud as the viewpoint (default). */
-  void
-  useSensorOriginAsViewPoint ()
-  {
-    use_sensor_origin_ = true;
-  }
-
-protected:
-  /** \brief Checks the input. The search structures of Feature are not needed. */
-  bool
-  initCompute () override;
-
 private:
-  bool
-  checkNeighbourhood () const;
+  std::string
+  complaint () const override;
 
-  void
-  computeFeature (PointCloudOut& output) override;
+  std::size_t
+  computeNormals (PointCloudOut& output) override;
 
   rgbd_planes::TwoRunNormalParameters parameters_;
-  bool use_sensor_origin_ = true;
 };
 
 } // namespace pcl

@@ -4,10 +4,9 @@
 #pragma once
 
 #include <pcl/common/point_tests.h>
+#include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/integral_image_tangent_normal.h>
-
-#include <algorithm>
 
 namespace pcl {
 
@@ -63,88 +62,38 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setMaxDepthChangeFact
 }
 
 template <typename PointInT, typename PointOutT>
-void
-IntegralImageTangentNormalEstimation<PointInT, PointOutT>::getViewPoint (
-    float& vpx, float& vpy, float& vpz) const
+std::string
+IntegralImageTangentNormalEstimation<PointInT, PointOutT>::complaint() const
 {
-  std::array<float, 3> viewpoint = parameters_.viewpoint;
-  if (use_sensor_origin_)
-    for (int i = 0; i < 3; ++i)
-      viewpoint[static_cast<std::size_t> (i)] =
-          input_ ? input_->sensor_origin_[i] : 0.f;
-  vpx = viewpoint[0];
-  vpy = viewpoint[1];
-  vpz = viewpoint[2];
+  return rgbd_planes::isImage (*input_) ? "" : rgbd_planes::notAnImage (*input_);
 }
 
 template <typename PointInT, typename PointOutT>
-bool
-IntegralImageTangentNormalEstimation<PointInT, PointOutT>::initCompute()
-{
-  const char* name = feature_name_.c_str();
-  if (!input_) {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", name);
-    return false;
-  }
-  if (!rgbd_planes::isImage (*input_)) {
-    PCL_ERROR ("[pcl::%s] %s\n", name, rgbd_planes::notAnImage (*input_).c_str());
-    return false;
-  }
-  if (!PCLBase<PointInT>::initCompute())
-    return false;
-  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
-    PCL_ERROR (
-        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
-        "%zu.\n",
-        name,
-        input_->size() - 1);
-    return false;
-  }
-  return true;
-}
-
-template <typename PointInT, typename PointOutT>
-void
-IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeFeature (
+std::size_t
+IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
     PointCloudOut& output)
 {
-  output.sensor_origin_ = input_->sensor_origin_;
-  output.sensor_orientation_ = input_->sensor_orientation_;
-  getViewPoint (
-      parameters_.viewpoint[0], parameters_.viewpoint[1], parameters_.viewpoint[2]);
-
-  const rgbd_planes::OrganizedPoints points = rgbd_planes::viewPoints (*input_);
-  const auto compute = [&] (auto& cloud) {
-    using PointT = typename std::decay_t<decltype (cloud)>::PointType;
-    auto& first = cloud.front();
-    return tangent_normals_.compute (
-        points,
-        parameters_,
-        {&first.normal_x, &first.curvature, sizeof (PointT) / sizeof (float)});
+  parameters_.viewpoint = this->viewpoint();
+  const auto computeAll = [this] (auto& cloud) {
+    return tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
+                                     parameters_,
+                                     rgbd_planes::viewNormals (cloud));
   };
+  if (!this->forIndices())
+    return computeAll (output);
 
-  if (use_indices_) {
-    all_normals_.resize (input_->width, input_->height);
-    compute (all_normals_);
-    output.width = static_cast<std::uint32_t> (indices_->size());
-    output.height = 1;
-    output.is_dense = true;
-    for (std::size_t i = 0; i < indices_->size(); ++i) {
-      const pcl::Normal& normal = all_normals_[(*indices_)[i]];
-      output[i].normal_x = normal.normal_x;
-      output[i].normal_y = normal.normal_y;
-      output[i].normal_z = normal.normal_z;
-      output[i].curvature = normal.curvature;
-      output.is_dense = output.is_dense && pcl::isNormalFinite (normal);
-    }
+  all_normals_.resize (input_->width, input_->height);
+  computeAll (all_normals_);
+  std::size_t valid = 0;
+  for (std::size_t i = 0; i < indices_->size(); ++i) {
+    const pcl::Normal& normal = all_normals_[(*indices_)[i]];
+    output[i].normal_x = normal.normal_x;
+    output[i].normal_y = normal.normal_y;
+    output[i].normal_z = normal.normal_z;
+    output[i].curvature = normal.curvature;
+    valid += pcl::isNormalFinite (normal);
   }
-  else {
-    output.is_dense = compute (output) == output.size();
-  }
-
-  if constexpr (pcl::traits::has_xyz<PointOutT>::value)
-    for (std::size_t i = 0; i < output.size(); ++i)
-      output[i].getVector3fMap() = (*input_)[(*indices_)[i]].getVector3fMap();
+  return valid;
 }
 
 } // namespace pcl

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/organized_view.h>
+#include <pcl/features/tangent_normals.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/type_traits.h>
@@ -30,6 +31,22 @@ viewPoints (const pcl::PointCloud<PointT>& cloud)
           sizeof (PointT) / sizeof (float),
           static_cast<int> (cloud.width),
           static_cast<int> (cloud.height)};
+}
+
+/** \brief Where the normals of a cloud go; it must not be empty. */
+template <typename PointT>
+NormalOutput
+viewNormals (pcl::PointCloud<PointT>& cloud)
+{
+  using namespace pcl::traits;
+  static_assert (offset<PointT, fields::normal_y>::value ==
+                         offset<PointT, fields::normal_x>::value + sizeof (float) &&
+                     offset<PointT, fields::normal_z>::value ==
+                         offset<PointT, fields::normal_x>::value + 2 * sizeof (float),
+                 "normal_x, normal_y and normal_z must be floats next to each other");
+  static_assert (sizeof (PointT) % sizeof (float) == 0, "points must be whole floats");
+  PointT& first = cloud.front();
+  return {&first.normal_x, &first.curvature, sizeof (PointT) / sizeof (float)};
 }
 
 /** \brief Whether \a cloud is an image of points, and holds all of them. */

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/two_run_normal.h>
 
@@ -37,6 +38,17 @@ isFilled (const pcl::PointCloud<PointT>& cloud)
   return !cloud.empty() &&
          (!cloud.isOrganized() ||
           cloud.size() == static_cast<std::size_t> (cloud.width) * cloud.height);
+}
+
+/** \brief What to tell a user whose \a cloud, called \a name, is not filled. */
+template <typename PointT>
+std::string
+notFilled (const std::string& name, const pcl::PointCloud<PointT>& cloud)
+{
+  return "The " + name + " has " + std::to_string (cloud.size()) + " points where " +
+         std::to_string (cloud.width) + " x " + std::to_string (cloud.height) +
+         " are needed: give a cloud with points, and as many as its width and height "
+         "say.";
 }
 
 } // namespace rgbd_planes
@@ -95,106 +107,32 @@ TwoRunNormalEstimation<PointInT, PointOutT>::setWindowSize (int window_size)
 }
 
 template <typename PointInT, typename PointOutT>
-void
-TwoRunNormalEstimation<PointInT, PointOutT>::getViewPoint (float& vpx,
-                                                           float& vpy,
-                                                           float& vpz) const
+std::string
+TwoRunNormalEstimation<PointInT, PointOutT>::complaint() const
 {
-  Eigen::Vector3f viewpoint = Eigen::Vector3f::Map (parameters_.viewpoint.data());
-  if (use_sensor_origin_)
-    viewpoint = input_ ? Eigen::Vector3f (input_->sensor_origin_.template head<3>())
-                       : Eigen::Vector3f::Zero();
-  vpx = viewpoint[0];
-  vpy = viewpoint[1];
-  vpz = viewpoint[2];
+  if (!rgbd_planes::isFilled (*input_))
+    return rgbd_planes::notFilled ("input", *input_);
+  if (surface_ && !rgbd_planes::isFilled (*surface_))
+    return rgbd_planes::notFilled ("search surface", *surface_);
+  if (parameters_.window_size > 0 && (surface_ || !input_->isOrganized()))
+    return "A window of pixels needs an organized cloud (an image of points) and no "
+           "search surface: call setWindowSize (0) for neighbours in space.";
+  return "";
 }
 
 template <typename PointInT, typename PointOutT>
-bool
-TwoRunNormalEstimation<PointInT, PointOutT>::initCompute()
+std::size_t
+TwoRunNormalEstimation<PointInT, PointOutT>::computeNormals (PointCloudOut& output)
 {
-  const char* name = feature_name_.c_str();
-  if (!input_) {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", name);
-    return false;
-  }
-  if (!rgbd_planes::isFilled (*input_)) {
-    PCL_ERROR (
-        "[pcl::%s] The input has %zu points where %u x %u are needed: give a cloud "
-        "with points, and as many as its width and height say.\n",
-        name,
-        input_->size(),
-        input_->width,
-        input_->height);
-    return false;
-  }
-  if (!checkNeighbourhood() || !PCLBase<PointInT>::initCompute())
-    return false;
-  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
-    PCL_ERROR (
-        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 "
-        "to %zu.\n",
-        name,
-        input_->size() - 1);
-    return false;
-  }
-  return true;
-}
-
-template <typename PointInT, typename PointOutT>
-bool
-TwoRunNormalEstimation<PointInT, PointOutT>::checkNeighbourhood() const
-{
-  const char* name = feature_name_.c_str();
-  if (surface_ && !rgbd_planes::isFilled (*surface_)) {
-    PCL_ERROR (
-        "[pcl::%s] The search surface has %zu points where %u x %u are needed.\n",
-        name,
-        surface_->size(),
-        surface_->width,
-        surface_->height);
-    return false;
-  }
-  if (parameters_.window_size > 0 && (surface_ || !input_->isOrganized())) {
-    PCL_ERROR (
-        "[pcl::%s] A window of pixels needs an organized cloud (an image of points) "
-        "and no search surface: call setWindowSize (0) for neighbours in space.\n",
-        name);
-    return false;
-  }
-  return true;
-}
-
-template <typename PointInT, typename PointOutT>
-void
-TwoRunNormalEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
-{
-  output.sensor_origin_ = input_->sensor_origin_;
-  output.sensor_orientation_ = input_->sensor_orientation_;
-  if (use_indices_) {
-    output.width = static_cast<std::uint32_t> (indices_->size());
-    output.height = 1;
-  }
-  if (output.empty())
-    return;
-
-  getViewPoint (
-      parameters_.viewpoint[0], parameters_.viewpoint[1], parameters_.viewpoint[2]);
+  parameters_.viewpoint = this->viewpoint();
   Eigen::Vector3f::Map (parameters_.viewing_axis.data()) =
       (input_->sensor_orientation_ * Eigen::Vector3f::UnitZ()).normalized();
-  PointOutT& first = output.front();
-  output.is_dense =
-      rgbd_planes::computeTwoRunNormals (
-          rgbd_planes::viewAnyPoints (*input_),
-          *indices_,
-          rgbd_planes::viewAnyPoints (surface_ ? *surface_ : *input_),
-          parameters_,
-          {&first.normal_x, &first.curvature, sizeof (PointOutT) / sizeof (float)}) ==
-      output.size();
-
-  if constexpr (pcl::traits::has_xyz<PointOutT>::value)
-    for (std::size_t i = 0; i < output.size(); ++i)
-      output[i].getVector3fMap() = (*input_)[(*indices_)[i]].getVector3fMap();
+  return rgbd_planes::computeTwoRunNormals (
+      rgbd_planes::viewAnyPoints (*input_),
+      *indices_,
+      rgbd_planes::viewAnyPoints (surface_ ? *surface_ : *input_),
+      parameters_,
+      rgbd_planes::viewNormals (output));
 }
 
 } // namespace pcl

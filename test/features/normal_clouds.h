@@ -6,17 +6,15 @@
 #include "synthetic_clouds.h"
 
 #include <pcl/common/point_tests.h>
-#include <pcl/features/two_run_normal.h>
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 
-namespace two_run {
+/** Clouds to estimate normals of, and ways to compare normals. */
+namespace normal_clouds {
 
 using synthetic::Cloud;
 using Normals = pcl::PointCloud<pcl::Normal>;
-using Estimation = pcl::TwoRunNormalEstimation<pcl::PointXYZ, pcl::Normal>;
 
 /** Two walls that meet at a right angle 1 m away. */
 inline std::vector<synthetic::Surface>
@@ -46,21 +44,42 @@ isHole (const pcl::PointXYZ& p)
   return !pcl::isFinite (p) || p.getVector3fMap().isZero (0.f);
 }
 
-inline Normals
-compute (const Cloud::ConstPtr& cloud)
+inline bool
+sameBits (const pcl::Normal& a, const pcl::Normal& b)
 {
-  Estimation estimation;
-  estimation.setInputCloud (cloud);
-  Normals normals;
-  estimation.compute (normals);
-  return normals;
+  return std::memcmp (a.data_n, b.data_n, 3 * sizeof (float)) == 0 &&
+         std::memcmp (&a.curvature, &b.curvature, sizeof (float)) == 0;
 }
 
 inline bool
 sameBits (const Normals& a, const Normals& b)
 {
   return a.size() == b.size() && !a.empty() &&
-         std::memcmp (&a[0], &b[0], a.size() * sizeof (pcl::Normal)) == 0;
+         std::equal (a.begin(),
+                     a.end(),
+                     b.begin(),
+                     [] (const pcl::Normal& left, const pcl::Normal& right) {
+                       return sameBits (left, right);
+                     });
 }
 
-} // namespace two_run
+template <typename Estimation>
+Normals
+estimate (Estimation& estimation, const Cloud::ConstPtr& cloud)
+{
+  Normals normals;
+  estimation.setInputCloud (cloud);
+  estimation.compute (normals);
+  return normals;
+}
+
+/** With the settings that the class has by default. */
+template <typename Estimation>
+Normals
+estimate (const Cloud::ConstPtr& cloud)
+{
+  Estimation estimation;
+  return estimate (estimation, cloud);
+}
+
+} // namespace normal_clouds

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/normal_estimation_base.h>
+#include <pcl/type_traits.h>
+
+#include <cstdint>
+
+namespace pcl {
+namespace rgbd_planes {
+
+template <typename PointInT, typename PointOutT>
+void
+NormalEstimationBase<PointInT, PointOutT>::getViewPoint (float& vpx,
+                                                         float& vpy,
+                                                         float& vpz) const
+{
+  const std::array<float, 3> used = viewpoint();
+  vpx = used[0];
+  vpy = used[1];
+  vpz = used[2];
+}
+
+template <typename PointInT, typename PointOutT>
+std::array<float, 3>
+NormalEstimationBase<PointInT, PointOutT>::viewpoint() const
+{
+  if (!use_sensor_origin_)
+    return viewpoint_;
+  if (!input_)
+    return {{0.f, 0.f, 0.f}};
+  const Eigen::Vector4f& origin = input_->sensor_origin_;
+  return {{origin[0], origin[1], origin[2]}};
+}
+
+template <typename PointInT, typename PointOutT>
+bool
+NormalEstimationBase<PointInT, PointOutT>::initCompute()
+{
+  const std::string wrong =
+      input_ ? complaint() : "No input cloud: call setInputCloud first.";
+  if (!wrong.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", feature_name_.c_str(), wrong.c_str());
+    return false;
+  }
+  // Copies of an estimator share the indices that PCL makes up for whole clouds; they
+  // would resize them under each other's feet.
+  if (fake_indices_ && indices_.use_count() > 1)
+    indices_.reset();
+  if (!PCLBase<PointInT>::initCompute())
+    return false;
+  if (forIndices() && !indicesInside (*indices_, input_->size())) {
+    PCL_ERROR (
+        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
+        "%zu.\n",
+        feature_name_.c_str(),
+        input_->size() - 1);
+    return false;
+  }
+  return true;
+}
+
+template <typename PointInT, typename PointOutT>
+void
+NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
+{
+  output.sensor_origin_ = input_->sensor_origin_;
+  output.sensor_orientation_ = input_->sensor_orientation_;
+  if (forIndices()) {
+    output.width = static_cast<std::uint32_t> (indices_->size());
+    output.height = 1;
+  }
+  output.is_dense = output.empty() || computeNormals (output) == output.size();
+
+  if constexpr (pcl::traits::has_xyz<PointOutT>::value)
+    for (std::size_t i = 0; i < output.size(); ++i) {
+      const PointInT& point = (*input_)[(*indices_)[i]];
+      output[i].x = point.x;
+      output[i].y = point.y;
+      output[i].z = point.z;
+    }
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
+
+#define PCL_INSTANTIATE_NormalEstimationBase(PointInT, PointOutT)                      \
+  template class PCL_RGBD_PLANES_EXPORTS                                               \
+      pcl::rgbd_planes::NormalEstimationBase<PointInT, PointOutT>;

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <omp.h>
+
+#include <pcl/features/threads.h>
+
+unsigned int
+pcl::rgbd_planes::numberOfThreads (unsigned int nr_threads)
+{
+  return nr_threads > 0 ? nr_threads : static_cast<unsigned int> (omp_get_num_procs());
+}

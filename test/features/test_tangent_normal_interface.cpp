@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "normal_clouds.h"
+
+#include <pcl/features/integral_image_tangent_normal.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using synthetic::angleDegrees;
+using synthetic::render;
+using synthetic::tiltedPlane;
+using namespace normal_clouds;
+using Estimation =
+    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
+
+namespace {
+
+/** The mean angle to \a truth, in degrees; NaN if a normal is missing. */
+double
+meanErrorDegrees (const Normals& normals, const Eigen::Vector3f& truth)
+{
+  double sum = 0.;
+  for (const auto& normal : normals)
+    sum += angleDegrees (normal.getNormalVector3fMap(), truth);
+  return sum / static_cast<double> (normals.size());
+}
+
+/** A few pixels of an image of \a plane. */
+Cloud::Ptr
+crop (const synthetic::Surface& plane, int width, int height)
+{
+  const Cloud::Ptr image = render ({plane}, 160, 120).cloud;
+  const auto cloud = pcl::make_shared<Cloud> (width, height);
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u)
+      (*cloud) (u, v) = (*image) (u, v);
+  return cloud;
+}
+
+} // namespace
+
+TEST (TangentNormalInterface, UnorganizedCloudsGiveOneErrorThatNamesTheCure)
+{
+  Estimation estimation;
+  pcl::Feature<pcl::PointXYZ, pcl::Normal>* feature = &estimation;
+  feature->setInputCloud (pcl::make_shared<Cloud> (100, 1));
+  Normals normals (3, 2);
+  ::testing::internal::CaptureStderr();
+  feature->compute (normals);
+  const std::string error = ::testing::internal::GetCapturedStderr();
+  EXPECT_TRUE (normals.empty() && normals.width == 0 && normals.height == 0);
+  EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1) << error;
+  EXPECT_NE (error.find ("ask your camera driver for ordered point clouds"),
+             std::string::npos)
+      << error;
+}
+
+TEST (TangentNormalInterface, BadSettingsAreRefused)
+{
+  const Cloud::Ptr cloud = makeHoles();
+  Estimation estimation;
+  estimation.setNormalSmoothingSize (0.f);
+  estimation.setNormalSmoothingSize (synthetic::nan);
+  estimation.setRectSize (0, 5);
+  estimation.setRectSize (5, -1);
+  estimation.setMaxDepthChangeFactor (-1.f);
+  EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate<Estimation> (cloud)));
+}
+
+TEST (TangentNormalInterface, SettersTakeEffectInAnyOrder)
+{
+  const Cloud::Ptr cloud = makeHoles();
+  const std::vector<std::function<void (Estimation&)>> setters{
+      [] (Estimation& e) { e.setNormalSmoothingSize (7.f); },
+      [] (Estimation& e) { e.setDepthDependentSmoothing (false); },
+      [] (Estimation& e) { e.setMaxDepthChangeFactor (0.01f); },
+      [] (Estimation& e) { e.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE); },
+      [] (Estimation& e) { e.setViewPoint (0.f, 0.f, -0.5f); },
+      [] (Estimation& e) { e.setEdgeAware (false); },
+      [&] (Estimation& e) { e.setInputCloud (cloud); }};
+  Normals forwards, backwards;
+  Estimation first, second;
+  for (const auto& set : setters)
+    set (first);
+  first.compute (forwards);
+  std::for_each (setters.rbegin(), setters.rend(), [&] (const auto& set) {
+    second.compute (backwards); // what was computed before must not matter
+    set (second);
+  });
+  second.compute (backwards);
+  EXPECT_TRUE (sameBits (forwards, backwards));
+  EXPECT_FALSE (sameBits (forwards, estimate<Estimation> (cloud)));
+}
+
+TEST (TangentNormalInterface, EverySetterHasAnEffect)
+{
+  const Cloud::Ptr cloud = makeHoles();
+  const Normals by_default = estimate<Estimation> (cloud);
+  const std::vector<std::function<void (Estimation&)>> setters{
+      [] (Estimation& e) { e.setNormalSmoothingSize (9.f); },
+      [] (Estimation& e) { e.setRectSize (9, 5); },
+      [] (Estimation& e) { e.setDepthDependentSmoothing (false); },
+      [] (Estimation& e) { e.setMaxDepthChangeFactor (0.f); },
+      [] (Estimation& e) { e.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE); },
+      [] (Estimation& e) { e.setViewPoint (0.f, 0.f, 5.f); },
+      [] (Estimation& e) { e.setEdgeAware (false); }};
+  for (std::size_t i = 0; i < setters.size(); ++i) {
+    Estimation estimation;
+    setters[i](estimation);
+    EXPECT_FALSE (sameBits (estimate (estimation, cloud), by_default))
+        << "setter " << i;
+  }
+}
+
+TEST (TangentNormalInterface, SearchSurfaceHasNoEffect)
+{
+  const Cloud::Ptr cloud = makeHoles();
+  Estimation estimation;
+  estimation.setSearchSurface (render ({tiltedPlane (2.f, 0.f, 0.f)}, 8, 8).cloud);
+  EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate<Estimation> (cloud)));
+}
+
+TEST (TangentNormalInterface, BorderPolicyIgnoreLeavesTheBorderOut)
+{
+  const Cloud::Ptr cloud = render ({tiltedPlane (1.f, 0.f, 0.f)}, 64, 48).cloud;
+  Estimation estimation;
+  estimation.setRectSize (8, 4);
+  estimation.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE);
+  const Normals normals = estimate (estimation, cloud);
+  for (int v = 0; v < 48; ++v)
+    for (int u = 0; u < 64; ++u)
+      EXPECT_EQ (std::isfinite (normals (u, v).normal_x),
+                 u >= 4 && u < 60 && v >= 2 && v < 46)
+          << u << " " << v;
+}
+
+/** A row or a column of points spans no surface; anything larger does. */
+TEST (TangentNormalInterface, SmallestImagesAreSafe)
+{
+  const auto plane = tiltedPlane (1.f, 10.f, 20.f);
+  for (const auto& size :
+       {std::pair (1, 2), {1, 64}, {2, 2}, {2, 3}, {3, 2}, {2, 64}, {64, 2}})
+    for (const bool edge_aware : {false, true}) {
+      Estimation estimation;
+      estimation.setEdgeAware (edge_aware);
+      const Normals normals =
+          estimate (estimation, crop (plane, size.first, size.second));
+      ASSERT_EQ (normals.width, size.first);
+      ASSERT_EQ (normals.height, size.second);
+      EXPECT_EQ (normals.is_dense, size.first > 1);
+      const double error = meanErrorDegrees (normals, plane.normal);
+      EXPECT_TRUE (size.first > 1 ? error < 0.1 : std::isnan (error))
+          << error << " degrees for " << size.first << " x " << size.second;
+    }
+}
+
+/** PCL's point clouds of height 1 are unorganized, whatever their width. */
+TEST (TangentNormalInterface, SinglePointIsRefused)
+{
+  const Normals normals =
+      estimate<Estimation> (crop (tiltedPlane (1.f, 0.f, 0.f), 1, 1));
+  EXPECT_TRUE (normals.empty() && normals.width == 0 && normals.height == 0);
+}
+
+TEST (TangentNormalInterface, SmoothingLargerThanTheImageIsSafe)
+{
+  const auto plane = tiltedPlane (1.f, 10.f, 20.f);
+  const Cloud::Ptr cloud = render ({plane}, 31, 23).cloud;
+  for (const float size : {32.f, 1000.f, 1e9f}) {
+    Estimation estimation;
+    estimation.setNormalSmoothingSize (size);
+    const Normals normals = estimate (estimation, cloud);
+    for (const auto& normal : normals)
+      ASSERT_LE (angleDegrees (normal.getNormalVector3fMap(), plane.normal), 0.1f)
+          << size;
+  }
+}
+
+/** pcl::IntegralImageNormalEstimation crashes on an image of 8 x 8 points. */
+TEST (TangentNormalInterface, TinyCloudGetsItsNormals)
+{
+  const auto plane = tiltedPlane (1.f, 30.f, 0.f);
+  const Normals normals = estimate<Estimation> (crop (plane, 8, 8));
+  ASSERT_EQ (normals.size(), 64u);
+  EXPECT_LE (meanErrorDegrees (normals, plane.normal), 0.1);
+}
+
+/** pcl::IntegralImageNormalEstimation loses 7 % of them, has no curvature, and calls a
+ * cloud without NaN not dense. */
+TEST (TangentNormalInterface, PerfectPlaneKeepsAllNormals)
+{
+  const auto plane = tiltedPlane (1.f, 0.f, 0.f);
+  const Normals normals = estimate<Estimation> (render ({plane}).cloud);
+  ASSERT_EQ (normals.size(), 640u * 480u);
+  EXPECT_TRUE (normals.is_dense);
+  for (const auto& normal : normals) {
+    ASSERT_LE (angleDegrees (normal.getNormalVector3fMap(), plane.normal), 0.1f);
+    ASSERT_NEAR (normal.curvature, 0.f, 1e-5f);
+  }
+}
+
+/** In pcl::IntegralImageNormalEstimation they blank normals in the left column. */
+TEST (TangentNormalInterface, MissingPointsOnTheRightChangeNothingOnTheLeft)
+{
+  const Cloud::Ptr whole =
+      render (twoWalls(), 64, 48, [] (float) { return 0.001f; }).cloud;
+  const auto torn = pcl::make_shared<Cloud> (*whole);
+  for (int v = 0; v < 48; ++v)
+    (*torn) (63, v).getVector3fMap().setConstant (synthetic::nan);
+  Estimation estimation;
+  estimation.setNormalSmoothingSize (10.f);
+  const Normals expected = estimate (estimation, whole);
+  const Normals normals = estimate (estimation, torn);
+  for (int v = 0; v < 48; ++v)
+    for (int u = 0; u < 40; ++u) {
+      ASSERT_TRUE (std::isfinite (normals (u, v).normal_x)) << u << " " << v;
+      ASSERT_TRUE (sameBits (normals (u, v), expected (u, v))) << u << " " << v;
+    }
+}
+
+/** pcl::IntegralImageNormalEstimation adds a tenth of the depth to the size in pixels,
+ * which is nothing for depth in metres. */
+TEST (TangentNormalInterface, DepthDependentSmoothingActsOnMetres)
+{
+  const auto meanError = [] (float depth, bool depth_dependent) {
+    const auto plane = tiltedPlane (depth, 0.f, 0.f);
+    const auto scene = render ({plane}, 320, 240, [] (float z) { return 0.001f * z; });
+    Estimation estimation;
+    estimation.setDepthDependentSmoothing (depth_dependent);
+    return meanErrorDegrees (estimate (estimation, scene.cloud), plane.normal);
+  };
+  EXPECT_NEAR (meanError (4.f, false), meanError (1.f, false), 0.1);
+  EXPECT_LT (meanError (4.f, true), 0.5 * meanError (4.f, false));
+  EXPECT_NEAR (meanError (1.f, true) / meanError (1.f, false), 1., 0.25);
+}
