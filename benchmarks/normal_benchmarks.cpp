@@ -8,6 +8,7 @@
 #include <pcl/features/integral_image_tangent_normal.h>
 
 #include <functional>
+#include <iterator>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -122,11 +123,19 @@ registerNormalBenchmarks (const Clouds& frames)
         "normals/pcl_average_3d_gradient" + resolution, clouds, average3DGradient);
   }
   addWindowSizes ([=] { return frames; });
+  const auto resampled = [=] (const ImageSize& size) {
+    return [=] { return Clouds{resample (*frames.front(), size.width, size.height)}; };
+  };
   for (const ImageSize& size : image_sizes)
+    addEstimator<OurEstimation> (std::string ("normals/tangent_points/") +
+                                     size.megapixels,
+                                 resampled (size),
+                                 defaults);
+  for (const unsigned threads : {1u, 2u})
     addEstimator<OurEstimation> (
-        std::string ("normals/tangent_points/") + size.megapixels,
-        [=] { return Clouds{resample (*frames.front(), size.width, size.height)}; },
-        defaults);
+        "normals/tangent_threads/" + std::to_string (threads),
+        resampled (*std::rbegin (image_sizes)),
+        [=] (OurEstimation& estimation) { estimation.setNumberOfThreads (threads); });
 }
 
 } // namespace rgbd_planes

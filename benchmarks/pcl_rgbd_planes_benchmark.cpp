@@ -21,10 +21,11 @@ printHelp ()
 {
   std::cout
       << "pcl_rgbd_planes_benchmark [INPUT...] [options]\n\n"
-         "Times our normals and planes beside those of PCL, on one thread, in ms per "
-         "frame of the\n"
-         "inputs; without INPUT, of sim:table_cluttered and sim:room. Resolutions "
-         "are chosen with\n--benchmark_filter, not --resolution.\n\n"
+         "Times our normals and planes beside those of PCL, in ms per frame of the "
+         "inputs; without\n"
+         "INPUT, of sim:table_cluttered and sim:room. Resolutions are chosen with "
+         "--benchmark_filter,\n"
+         "not --resolution.\n\n"
       << input_help << '\n'
       << inputOptionsDescription() << "\nGoogle Benchmark:\n";
   benchmark::PrintDefaultHelp();

@@ -59,6 +59,8 @@ TEST_F (Benchmark, HasTheNamesThatOthersRelyOn)
       EXPECT_EQ (all.count (method + window), 1u) << method << window;
   for (const std::string size : {"/0.3mp", "/1mp", "/2mp", "/4mp"})
     EXPECT_EQ (all.count ("normals/tangent_points" + size), 1u) << size;
+  for (const std::string threads : {"/1", "/2"})
+    EXPECT_EQ (all.count ("normals/tangent_threads" + threads), 1u) << threads;
 }
 
 TEST_F (Benchmark, AllButTheLargestCloudsRunWithoutError)
@@ -66,7 +68,7 @@ TEST_F (Benchmark, AllButTheLargestCloudsRunWithoutError)
   saveWall ("wall.pcd", 320, 240);
   saveWall ("other_wall.pcd", 320, 240);
   const std::string arguments =
-      "wall.pcd other_wall.pcd '--benchmark_filter=-/[124]mp'";
+      "wall.pcd other_wall.pcd '--benchmark_filter=-/[124](mp|$)'";
   const Outcome outcome =
       run (arguments + " --benchmark_min_time=0.001 --benchmark_format=json");
   ASSERT_EQ (outcome.code, 0) << outcome.err;
