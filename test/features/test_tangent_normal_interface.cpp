@@ -75,7 +75,7 @@ TEST (TangentNormalInterface, SettersTakeEffectInAnyOrder)
   const Cloud::Ptr cloud = makeHoles();
   const std::vector<std::function<void (Estimation&)>> setters{
       [] (Estimation& e) { e.setNormalSmoothingSize (7.f); },
-      [] (Estimation& e) { e.setDepthDependentSmoothing (false); },
+      [] (Estimation& e) { e.setDepthDependentSmoothing (true); },
       [] (Estimation& e) { e.setMaxDepthChangeFactor (0.01f); },
       [] (Estimation& e) { e.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE); },
       [] (Estimation& e) { e.setViewPoint (0.f, 0.f, -0.5f); },
@@ -97,12 +97,16 @@ TEST (TangentNormalInterface, SettersTakeEffectInAnyOrder)
 
 TEST (TangentNormalInterface, EverySetterHasAnEffect)
 {
+  // 2.5 m away
   const Cloud::Ptr cloud = makeHoles();
+  for (auto& p : *cloud)
+    p.getVector3fMap() *= 2.5f;
   const Normals by_default = estimate<Estimation> (cloud);
   const std::vector<std::function<void (Estimation&)>> setters{
       [] (Estimation& e) { e.setNormalSmoothingSize (9.f); },
       [] (Estimation& e) { e.setRectSize (9, 5); },
-      [] (Estimation& e) { e.setDepthDependentSmoothing (false); },
+      [] (Estimation& e) { e.setDepthDependentSmoothing (true); },
+      [] (Estimation& e) { e.setScaleSelection (true); },
       [] (Estimation& e) { e.setMaxDepthChangeFactor (0.f); },
       [] (Estimation& e) { e.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE); },
       [] (Estimation& e) { e.setViewPoint (0.f, 0.f, 5.f); },
@@ -229,6 +233,7 @@ TEST (TangentNormalInterface, DepthDependentSmoothingActsOnMetres)
     const auto plane = tiltedPlane (depth, 0.f, 0.f);
     const auto scene = render ({plane}, 320, 240, [] (float z) { return 0.001f * z; });
     Estimation estimation;
+    estimation.setEdgeAware (false); // means of planes smooth, too
     estimation.setDepthDependentSmoothing (depth_dependent);
     return meanErrorDegrees (estimate (estimation, scene.cloud), plane.normal);
   };

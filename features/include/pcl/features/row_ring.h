@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Allocates at multiples of the longest vector, 64 bytes. */
+template <typename T>
+struct VectorAllocator {
+  using value_type = T;
+
+  VectorAllocator() = default;
+
+  template <typename U>
+  VectorAllocator (const VectorAllocator<U>&)
+  {}
+
+  T*
+  allocate (std::size_t number)
+  {
+    return static_cast<T*> (::operator new (number * sizeof (T), std::align_val_t{64}));
+  }
+
+  void
+  deallocate (T* elements, std::size_t)
+  {
+    ::operator delete (elements, std::align_val_t{64});
+  }
+
+  bool
+  operator== (const VectorAllocator&) const
+  {
+    return true;
+  }
+
+  bool
+  operator!= (const VectorAllocator&) const
+  {
+    return false;
+  }
+};
+
+/** \brief The channels of one row of an image: channel c is the array row[c], with
+ * room in front of it and behind it. */
+template <typename T>
+class ChannelRow {
+public:
+  ChannelRow() = default;
+
+  ChannelRow (T* first, std::size_t stride) : first_ (first), stride_ (stride) {}
+
+  /** \brief The row of the elements \a columns to the right. */
+  ChannelRow
+  shifted (std::ptrdiff_t columns) const
+  {
+    return {first_ + columns, stride_};
+  }
+
+  T*
+  operator[] (std::size_t channel) const
+  {
+    return first_ + channel * stride_;
+  }
+
+private:
+  T* first_ = nullptr;
+  std::size_t stride_ = 0;
+};
+
+/** \brief The last rows of an image that is computed row by row, so that they stay in
+ * the cache. */
+template <typename T>
+class RowRing {
+public:
+  /** Rows and the room around them are whole numbers of the longest vector. */
+  static constexpr std::size_t lanes = 16;
+
+  /** \brief Makes room for the last \a rows rows of \a width elements in \a channels
+   * channels, and for \a margin elements on both sides of each, and sets everything to
+   * \a value. Allocates only when more room is needed than ever before. */
+  void
+  reset (int rows, int channels, int width, int margin, T value)
+  {
+    rows_ = static_cast<std::size_t> (rows);
+    channels_ = static_cast<std::size_t> (channels);
+    margin_ = roundUp (static_cast<std::size_t> (margin));
+    stride_ = roundUp (static_cast<std::size_t> (width)) + 2 * margin_;
+    elements_.assign (rows_ * channels_ * stride_, value);
+  }
+
+  /** \brief Row \a v, which takes the place of row v - rows. */
+  ChannelRow<T>
+  operator[] (int v)
+  {
+    const std::size_t slot = static_cast<std::size_t> (v) % rows_;
+    return {elements_.data() + slot * channels_ * stride_ + margin_, stride_};
+  }
+
+private:
+  static std::size_t
+  roundUp (std::size_t number)
+  {
+    return (number + lanes - 1) / lanes * lanes;
+  }
+
+  std::size_t rows_ = 1;
+  std::size_t channels_ = 1;
+  std::size_t margin_ = 0;
+  std::size_t stride_ = 0;
+  std::vector<T, VectorAllocator<T>> elements_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

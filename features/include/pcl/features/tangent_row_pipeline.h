@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/organized_view.h>
+#include <pcl/features/row_ring.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace rgbd_planes {
+
+struct NormalOutput;
+struct SensorModel;
+struct TangentNormalParameters;
+
+/** \brief The grid on which TangentNormals computes, in cells of step x step pixels. */
+struct TangentGrid {
+  int step = 1;
+  int width = 0;
+  int height = 0;
+  /** A smoothing area reaches this many cells to each side of a cell. */
+  struct Area {
+    int half_width = 1;
+    int half_height = 1;
+    /** The range from which on this area is used, where it depends on range. */
+    float min_range = 0.f;
+  };
+  /** The areas to choose from, from small to large. */
+  std::array<Area, 4> areas;
+  std::size_t number_of_areas = 1;
+  struct Shift {
+    int u = 1;
+    int v = 1;
+  };
+  /** How far away the planes are that are averaged: first diagonally, then straight. */
+  Shift diagonal;
+  Shift straight;
+};
+
+/** \brief Computes the normals of some rows of a cloud. Each step works on rows of cells
+ * and runs a few rows ahead of the next one, so that what it writes still is in the cache
+ * when it is read:
+ *
+ * points -> integral images of tangents -> plane of the area around each cell
+ * -> means of planes, where edge-aware: twice -> normals of points
+ */
+class TangentRowPipeline {
+public:
+  /** \brief Writes the normals of rows [\a begin, \a end) of cells.
+   * \return the number of normals that are not NaN */
+  std::size_t
+  run (const OrganizedPoints& points,
+       const TangentNormalParameters& parameters,
+       const TangentGrid& grid,
+       int begin,
+       int end,
+       const NormalOutput& output);
+
+private:
+  /** Planes as fitted, after the first, and after the second round of averaging. */
+  static constexpr int plane_stages = 3;
+
+  SensorModel
+  sensor () const;
+
+  int
+  lastStage () const;
+
+  int
+  rowsAround () const;
+
+  void
+  start (int begin);
+
+  void
+  sumUpTo (int last);
+
+  void
+  fitRow (int y);
+
+  void
+  planesUpTo (int stage, int last);
+
+  void
+  averageRow (int stage, int y);
+
+  ChannelRow<float>
+  planesOf (int stage, int y);
+
+  std::size_t
+  write (int v, const NormalOutput& output);
+
+  void
+  copyNormals (int v, const NormalOutput& output);
+
+  std::size_t
+  blankBorder (int y);
+
+  const float*
+  pointsOf (int v);
+
+  OrganizedPoints points_;
+  const TangentNormalParameters* parameters_ = nullptr;
+  TangentGrid grid_;
+  int padded_width_ = 0;
+  int margin_ = 0;
+  float units_ = 0.f;
+  int next_pixels_ = 0;
+  int next_sum_ = 0;
+  std::array<int, plane_stages> next_planes_{};
+
+  RowRing<float> staged_points_;
+  RowRing<float> pixels_;
+  RowRing<float> no_pixels_;
+  RowRing<std::int32_t> tangents_;
+  RowRing<float> cells_;
+  std::array<RowRing<float>, plane_stages> planes_;
+  RowRing<float> no_planes_;
+  RowRing<std::int32_t> strips_;
+  RowRing<float> inverse_lengths_;
+  RowRing<float> larger_;
+  RowRing<float> normals_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "plane_means.cpp"
+#include "simd_targets.h"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once for each set of instructions.
+#include "row_vectors-inl.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace rgbd_planes {
+namespace HWY_NAMESPACE {
+namespace {
+
+/** A point up to this many deviations away from the plane of its cell keeps it. */
+constexpr float own_sigmas = 2.f;
+/** Planes whose weighted normals add up to less count for nothing. */
+constexpr float min_squared_sum = 1e-20f;
+
+/** The weighted sum of the normals of planes around a cell: those that bend little count,
+ * and those on which \a p lies, with Tukey's biweight of its distance times \a reach. */
+template <std::size_t number>
+HWY_INLINE Vectors
+sumOfNormals (const Candidates<number>& candidates,
+              std::ptrdiff_t at,
+              const Vectors& p,
+              V reach)
+{
+  const V zero = hn::Zero (Floats());
+  const Vectors scaled = p * reach;
+  Vectors sum{zero, zero, zero};
+#pragma GCC unroll 9
+  for (std::size_t k = 0; k < number; ++k) {
+    PlaneRow planes = candidates[k];
+    const Vectors n = load (planes, plane_x, at);
+    const V deviation =
+        hn::NegMulAdd (load (planes[plane_distance] + at), reach, dot (n, scaled));
+    const V root = hn::Max (hn::NegMulAdd (deviation, deviation, set (1.f)), zero);
+    const V weight = hn::Mul (load (planes[plane_weight] + at), hn::Mul (root, root));
+    sum = {hn::MulAdd (n.x, weight, sum.x),
+           hn::MulAdd (n.y, weight, sum.y),
+           hn::MulAdd (n.z, weight, sum.z)};
+  }
+  return sum;
+}
+
+/** The smallest eigenvalue over the sum of all (section 3) of a square patch
+ * z = k x^2 / 2 whose halves bend as much as those of a window whose plane has \a weight. */
+HWY_INLINE V
+curvatureOf (V weight)
+{
+  const V squared_bend =
+      hn::Mul (hn::Sub (reciprocal (weight), set (1.f)), set (1.f / sharpness));
+  // Not a number where the weight is 0.
+  const V curvature = hn::Mul (squared_bend, set (1.f / 30.f));
+  const V limited = hn::Max (hn::Min (curvature, set (1.f / 3.f)), hn::Zero (Floats()));
+  return hn::IfThenElse (
+      hn::Gt (weight, hn::Zero (Floats())), limited, set (1.f / 3.f));
+}
+
+/** Writes normals, NaN where there is none. \return how many are not NaN */
+HWY_INLINE std::size_t
+writeValid (Mask is_valid, const Vectors& n, V curvature, float* normals)
+{
+  constexpr Floats d;
+  const V nan = set (std::numeric_limits<float>::quiet_NaN());
+  hn::StoreInterleaved4 (hn::IfThenElse (is_valid, n.x, nan),
+                         hn::IfThenElse (is_valid, n.y, nan),
+                         hn::IfThenElse (is_valid, n.z, nan),
+                         hn::IfThenElse (is_valid, curvature, nan),
+                         d,
+                         normals);
+  return hn::CountTrue (d, is_valid);
+}
+
+std::size_t
+writeCellNormalsOf (std::size_t cells, PlaneRow planes, float* normals)
+{
+  constexpr Floats d;
+  std::size_t valid = 0;
+  for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
+    const auto i = static_cast<std::ptrdiff_t> (at);
+    const Vectors n = load (planes, plane_x, i);
+    valid += writeValid (isPlane (n),
+                         n,
+                         curvatureOf (load (planes[plane_weight] + i)),
+                         normals + 4 * at);
+  }
+  return valid;
+}
+
+std::size_t
+writePixelNormalsOf (const float* points,
+                     std::size_t cells,
+                     const SensorModel& sensor,
+                     PlaneRow planes,
+                     const Candidates<9>* candidates,
+                     const NormalRows& normals)
+{
+  constexpr Floats d;
+  std::size_t valid = 0;
+  for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
+    const auto i = static_cast<std::ptrdiff_t> (at);
+    const Vectors own = load (planes, plane_x, i);
+    const V distance = load (planes[plane_distance] + i);
+    const V curvature = curvatureOf (load (planes[plane_weight] + i));
+    usePoints<2> (
+        points + 8 * at, sensor, [&] (std::size_t k, const Points& point) HWY_ATTR {
+          Vectors n = own;
+          const V deviation = sigma (sensor, point.squared_range);
+          const V off = hn::Abs (hn::Sub (dot (n, point.p), distance));
+          const Mask lies_off = hn::And (
+              point.measured, hn::Gt (off, hn::Mul (set (own_sigmas), deviation)));
+          if (candidates && !hn::AllFalse (d, lies_off)) {
+            const V reach = hn::Div (set (1.f / reach_sigmas), deviation);
+            const Vectors sum = sumOfNormals (*candidates, i, point.p, reach);
+            const V squared_length = dot (sum, sum);
+            const Mask is_mean =
+                hn::And (lies_off, hn::Gt (squared_length, set (min_squared_sum)));
+            n = choose (is_mean, sum * reciprocalSqrt (squared_length), n);
+          }
+          valid += writeValid (
+              hn::And (point.measured, isPlane (n)), n, curvature, normals[k] + 4 * at);
+        });
+  }
+  return valid;
+}
+
+} // namespace
+
+// Short loops, one after another over a row in the cache, keep a processor busier than one
+// long loop, in which each step waits for the one before.
+void
+averagePlanesHere (Candidates<5> candidates,
+                   std::size_t cells,
+                   CellRow points,
+                   PlaneRow planes)
+{
+  constexpr Floats d;
+  for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
+    const auto i = static_cast<std::ptrdiff_t> (at);
+    store (sumOfNormals (
+               candidates, i, load (points, cell_x, i), load (points[cell_reach] + i)),
+           planes,
+           plane_x,
+           at);
+  }
+  PlaneRow own = candidates[0];
+  for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
+    const auto i = static_cast<std::ptrdiff_t> (at);
+    const Vectors sum = load (planes, plane_x, i);
+    const V squared_length = dot (sum, sum);
+    const Mask is_mean =
+        hn::And (hn::Gt (load (points[cell_reach] + i), hn::Zero (Floats())),
+                 hn::Gt (squared_length, set (min_squared_sum)));
+    const Vectors n =
+        choose (is_mean, sum * reciprocalSqrt (squared_length), load (own, plane_x, i));
+    store (n, planes, plane_x, at);
+    store (dot (n, load (points, cell_x, i)), planes[plane_distance] + i);
+    store (load (own[plane_weight] + i), planes[plane_weight] + i);
+  }
+}
+
+std::size_t
+writeNormalsHere (const float* points,
+                  std::size_t cells,
+                  int step,
+                  const SensorModel& sensor,
+                  PlaneRow planes,
+                  const Candidates<9>* candidates,
+                  const NormalRows& normals)
+{
+  if (step == 1)
+    return writeCellNormalsOf (cells, planes, normals[0]);
+  return writePixelNormalsOf (points, cells, sensor, planes, candidates, normals);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rgbd_planes
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pcl {
+namespace rgbd_planes {
+
+HWY_EXPORT (averagePlanesHere);
+HWY_EXPORT (writeNormalsHere);
+
+void
+averagePlanes (Candidates<5> candidates,
+               std::size_t cells,
+               CellRow points,
+               PlaneRow planes)
+{
+  HWY_DYNAMIC_DISPATCH (averagePlanesHere) (candidates, cells, points, planes);
+}
+
+std::size_t
+writeNormals (const float* points,
+              std::size_t cells,
+              int step,
+              const SensorModel& sensor,
+              PlaneRow planes,
+              const Candidates<9>* candidates,
+              const NormalRows& normals)
+{
+  return HWY_DYNAMIC_DISPATCH (writeNormalsHere) (
+      points, cells, step, sensor, planes, candidates, normals);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
+#endif

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "tangent_rows.h"
+
+#include <pcl/features/tangent_normals.h>
+#include <pcl/features/tangent_row_pipeline.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/** The first and the last cell of a row have no tangents on one side that could tell a
+ * bend: they take the weight of their neighbours. */
+void
+copyBendToBorders (const PlaneRow& planes, int width)
+{
+  if (width < 3)
+    return;
+  for (const auto& [border, inside] : {std::pair (0, 1), {width - 1, width - 2}})
+    if (planes[plane_weight][border] > 0.f && planes[plane_weight][inside] > 0.f)
+      planes[plane_weight][border] = planes[plane_weight][inside];
+}
+
+} // namespace
+
+std::size_t
+TangentRowPipeline::run (const OrganizedPoints& points,
+                         const TangentNormalParameters& parameters,
+                         const TangentGrid& grid,
+                         int begin,
+                         int end,
+                         const NormalOutput& output)
+{
+  points_ = points;
+  parameters_ = &parameters;
+  grid_ = grid;
+  start (begin);
+  std::size_t valid = 0;
+  for (int y = begin; y < end; ++y) {
+    planesUpTo (lastStage(), y + rowsAround());
+    const int below = std::min ((y + 1) * grid.step, points.height);
+    for (int v = y * grid.step; v < below; ++v)
+      valid += write (v, output);
+  }
+  return valid;
+}
+
+SensorModel
+TangentRowPipeline::sensor() const
+{
+  return {parameters_->viewpoint,
+          parameters_->noise.constant,
+          parameters_->noise.quadratic,
+          parameters_->max_depth_change_factor};
+}
+
+int
+TangentRowPipeline::lastStage() const
+{
+  return parameters_->edge_aware ? plane_stages - 1 : 0;
+}
+
+/** Where a cell has several points, each looks at the planes around, see write. */
+int
+TangentRowPipeline::rowsAround() const
+{
+  return parameters_->edge_aware && grid_.step > 1 ? grid_.straight.v : 0;
+}
+
+void
+TangentRowPipeline::start (int begin)
+{
+  constexpr int lanes = static_cast<int> (RowRing<float>::lanes);
+  padded_width_ = (grid_.width + lanes - 1) / lanes * lanes;
+  const auto largest = grid_.areas[grid_.number_of_areas - 1];
+  const int area = (2 * largest.half_width + 1) * (2 * largest.half_height + 1);
+  units_ = static_cast<float> (1 << 30) / static_cast<float> (area);
+
+  const int shift_u = std::max (grid_.diagonal.u, grid_.straight.u);
+  const int shift_v = std::max (grid_.diagonal.v, grid_.straight.v);
+  const int ahead = plane_stages * shift_v + largest.half_height;
+  margin_ = (largest.half_width + lanes) / lanes * lanes;
+  staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
+  pixels_.reset (
+      grid_.step + 1, grid_.step * pixel_channels, padded_width_, 1, infinity);
+  no_pixels_.reset (1, grid_.step * pixel_channels, padded_width_, 1, infinity);
+  tangents_.reset (
+      2 * largest.half_height + 2, tangent_channels, padded_width_, margin_ + lanes, 0);
+  cells_.reset (ahead + 2, cell_channels, padded_width_, 0, 0.f);
+  for (auto& planes : planes_)
+    planes.reset (2 * shift_v + 1, plane_channels, padded_width_, shift_u, 0.f);
+  no_planes_.reset (1, plane_channels, padded_width_, shift_u, 0.f);
+  strips_.reset (2, tangent_channels, padded_width_, margin_ + lanes, 0);
+  inverse_lengths_.reset (1, 2, padded_width_, 0, 0.f);
+  larger_.reset (1, plane_channels, padded_width_, 0, 0.f);
+  normals_.reset (1, 2, 4 * padded_width_, 0, 0.f);
+
+  const int before_second = begin - rowsAround();
+  const int before_first = before_second - grid_.straight.v;
+  next_planes_ = {{std::max (before_first - grid_.diagonal.v, 0),
+                   std::max (before_first, 0),
+                   std::max (before_second, 0)}};
+  next_sum_ = std::max (next_planes_[0] - largest.half_height, 0);
+  next_pixels_ = next_sum_ * grid_.step;
+}
+
+/** The points of a row of pixels, four floats each, and points that are missing up to
+ * whole vectors of cells. */
+const float*
+TangentRowPipeline::pointsOf (int v)
+{
+  const float* row =
+      points_[static_cast<std::size_t> (v) * static_cast<std::size_t> (points_.width)];
+  const bool in_place = points_.stride == 4 &&
+                        reinterpret_cast<std::uintptr_t> (row) % 16 == 0 &&
+                        points_.width == padded_width_ * grid_.step;
+  if (in_place)
+    return row;
+  float* staged = staged_points_[0][0];
+  for (int u = 0; u < points_.width; ++u)
+    std::memcpy (staged + 4 * u,
+                 row + static_cast<std::size_t> (u) * points_.stride,
+                 3 * sizeof (float));
+  return staged;
+}
+
+void
+TangentRowPipeline::sumUpTo (int last)
+{
+  const auto cells = static_cast<std::size_t> (padded_width_);
+  for (const int end = std::min (last + 1, grid_.height); next_sum_ < end;
+       ++next_sum_) {
+    const int v = next_sum_ * grid_.step;
+    for (; next_pixels_ <= std::min (v + grid_.step, points_.height - 1);
+         ++next_pixels_)
+      loadPixels (
+          pointsOf (next_pixels_), cells, grid_.step, sensor(), pixels_[next_pixels_]);
+    const auto pixelRow = [&] (int row) {
+      return row < points_.height ? pixels_[row] : no_pixels_[0];
+    };
+    const std::array<PixelRow, 3> rows{
+        {pixelRow (v), pixelRow (v + 1), pixelRow (v + grid_.step)}};
+    sumTangents (rows.data(),
+                 cells,
+                 grid_.step,
+                 sensor(),
+                 units_,
+                 static_cast<std::size_t> (margin_),
+                 tangents_[next_sum_],
+                 tangents_[next_sum_ + 1],
+                 cells_[next_sum_]);
+  }
+}
+
+void
+TangentRowPipeline::fitRow (int y)
+{
+  const auto cells = static_cast<std::size_t> (padded_width_);
+  sumUpTo (y + grid_.areas[grid_.number_of_areas - 1].half_height);
+  const PlaneRow planes = planes_[0][y];
+  for (std::size_t i = 0; i < grid_.number_of_areas; ++i) {
+    const auto& area = grid_.areas[i];
+    const int top = std::max (y - area.half_height, 0);
+    const int below = std::min (y + area.half_height + 1, grid_.height);
+    const WindowRows window{tangents_[top],
+                            tangents_[(top + below) / 2],
+                            tangents_[std::min (y + area.half_height, grid_.height)],
+                            tangents_[below],
+                            area.half_width};
+    const PlaneRow fitted = i == 0 ? planes : larger_[0];
+    fitPlanes (window,
+               cells,
+               static_cast<std::size_t> (margin_),
+               cells_[y],
+               {strips_[0], strips_[1], inverse_lengths_[0]},
+               fitted);
+    if (i > 0)
+      chooseLarger (parameters_->scale_selection ? 0.f : area.min_range,
+                    cells,
+                    cells_[y],
+                    fitted,
+                    planes);
+  }
+  copyBendToBorders (planes, grid_.width);
+}
+
+/** Averages the planes of a row of cells over those around: diagonally and straight in turn,
+ * for the price of half of all. */
+void
+TangentRowPipeline::averageRow (int stage, int y)
+{
+  const bool diagonal = stage == 1;
+  const auto [du, dv] = diagonal ? grid_.diagonal : grid_.straight;
+  planesUpTo (stage - 1, y + dv);
+  const PlaneRow above = planesOf (stage - 1, y - dv);
+  const PlaneRow own = planesOf (stage - 1, y);
+  const PlaneRow below = planesOf (stage - 1, y + dv);
+  const Candidates<5> around =
+      diagonal
+          ? Candidates<5>{{own,
+                           above.shifted (-du),
+                           above.shifted (du),
+                           below.shifted (-du),
+                           below.shifted (du)}}
+          : Candidates<5>{{own, above, own.shifted (-du), own.shifted (du), below}};
+  averagePlanes (around,
+                 static_cast<std::size_t> (padded_width_),
+                 cells_[y],
+                 planes_[static_cast<std::size_t> (stage)][y]);
+}
+
+/** Computes the planes of a stage up to row \a last. */
+void
+TangentRowPipeline::planesUpTo (int stage, int last)
+{
+  int& next = next_planes_[static_cast<std::size_t> (stage)];
+  for (const int end = std::min (last + 1, grid_.height); next < end; ++next)
+    if (stage == 0)
+      fitRow (next);
+    else
+      averageRow (stage, next);
+}
+
+/** The planes of row \a y of cells, or none outside of the image. */
+ChannelRow<float>
+TangentRowPipeline::planesOf (int stage, int y)
+{
+  const bool inside = y >= 0 && y < grid_.height;
+  return inside ? planes_[static_cast<std::size_t> (stage)][y] : no_planes_[0];
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/row_ring.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace rgbd_planes {
+
+// The steps of tangent_row_pipeline.cpp, each for one row of cells, with the vector
+// instructions of the machine it runs on. A cell is one pixel (step 1) or 2 x 2 pixels
+// (step 2); step pixels of a row of pixels belong to each of its cells. All points are
+// relative to the viewpoint.
+
+/** The channels of a row of pixels, five for each pixel of a cell: coordinates, range
+ * (infinite where the point is missing), gate. */
+enum PixelChannel {
+  pixel_x,
+  pixel_y,
+  pixel_z,
+  pixel_range,
+  pixel_gate,
+  pixel_channels
+};
+
+/** The channels of a row of cells: one of its points, the reciprocal of the distance
+ * from it at which planes no longer count (0: the cell has no point). */
+enum CellChannel { cell_x, cell_y, cell_z, cell_reach, cell_channels };
+
+/** The channels of the planes of a row of cells: n * p = distance, and how much a plane
+ * counts, from its window's bend; all are 0 where there is none. */
+enum PlaneChannel {
+  plane_x,
+  plane_y,
+  plane_z,
+  plane_distance,
+  plane_weight,
+  plane_channels
+};
+
+/** The sums of horizontal and of vertical tangents. */
+constexpr int tangent_channels = 6;
+
+using PixelRow = ChannelRow<float>;
+using CellRow = ChannelRow<float>;
+using PlaneRow = ChannelRow<float>;
+using TangentRow = ChannelRow<std::int32_t>;
+
+/** What is known of the sensor. */
+struct SensorModel {
+  std::array<float, 3> viewpoint;
+  /** The standard deviation of depth is constant + quadratic * range^2. */
+  float noise_constant;
+  float noise_quadratic;
+  float max_depth_change_factor;
+};
+
+/** The sums over a window need the rows of integral images above its first row, above
+ * its middle row, and below its last row. Tangents lie between rows, hence one row of
+ * vertical ones less. */
+struct WindowRows {
+  TangentRow top;
+  TangentRow middle;
+  TangentRow below_vertical;
+  TangentRow below;
+  std::ptrdiff_t half_width;
+};
+
+/** The planes that the points of a row of cells may lie on: first those of the cells
+ * themselves, then those of the cells so many rows and columns away. */
+template <std::size_t number>
+using Candidates = std::array<PlaneRow, number>;
+
+/** \brief Reads a row of \a cells * step points of four floats each. */
+void
+loadPixels (const float* points,
+            std::size_t cells,
+            int step,
+            const SensorModel& sensor,
+            PixelRow pixels);
+
+/** \brief Chooses the point of each cell, and continues the integral images of the
+ * tangents by one row. \a pixels: the step rows of the cells and the next one. The sums
+ * of a cell are relative to its range, or to the longest of them if that is more, and counted
+ * in units of 1 / \a units. \a margin
+ * elements behind the row are set, too. */
+void
+sumTangents (const PixelRow* pixels,
+             std::size_t cells,
+             int step,
+             const SensorModel& sensor,
+             float units,
+             std::size_t margin,
+             TangentRow above,
+             TangentRow integral,
+             CellRow points);
+
+/** Room for what fitPlanes computes on the way: the sums of the rows of a window and of
+ * their lower half, and the reciprocal squared lengths of both sums of tangents. */
+struct FitBuffers {
+  TangentRow whole;
+  TangentRow lower_half;
+  ChannelRow<float> inverse_lengths;
+};
+
+/** \brief The plane of the window around each cell, through the point of the cell. */
+void
+fitPlanes (WindowRows window,
+           std::size_t cells,
+           std::size_t margin,
+           CellRow points,
+           FitBuffers buffers,
+           PlaneRow planes);
+
+/** \brief Puts those of \a larger windows in the place of planes that are less likely, or, if
+ * \a min_range is not 0, of those of points this far away. */
+void
+chooseLarger (float min_range,
+              std::size_t cells,
+              CellRow points,
+              PlaneRow larger,
+              PlaneRow planes);
+
+/** \brief The mean of the planes around each cell on which its point lies. */
+void
+averagePlanes (Candidates<5> candidates,
+               std::size_t cells,
+               CellRow points,
+               PlaneRow planes);
+
+/** Where the normals of the first and of the second pixels of the cells go: nx, ny, nz and
+ * curvature of each; NaN where there is none. */
+using NormalRows = std::array<float*, 2>;
+
+/** \brief Gives each point of a row of pixels the normal of its cell's plane, or, if it
+ * does not lie on that and \a candidates is not null, of the planes around.
+ * \return the number of normals that are not NaN */
+std::size_t
+writeNormals (const float* points,
+              std::size_t cells,
+              int step,
+              const SensorModel& sensor,
+              PlaneRow planes,
+              const Candidates<9>* candidates,
+              const NormalRows& normals);
+
+} // namespace rgbd_planes
+} // namespace pcl

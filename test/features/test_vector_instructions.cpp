@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "tangent_images.h"
+#include <hwy/targets.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+using namespace tangent_images;
+
+namespace {
+
+/** What the library falls back to where it knows no vector instructions. */
+constexpr std::int64_t scalar =
+    (HWY_TARGETS & HWY_SCALAR) != 0 ? HWY_SCALAR : HWY_EMU128;
+
+enum class Mode { plain, edge_aware, by_depth, scales };
+
+ImageNormals
+computeWith (std::int64_t target, const Image& image, Mode mode)
+{
+  TangentNormalParameters parameters;
+  parameters.edge_aware = mode != Mode::plain;
+  parameters.depth_dependent_smoothing = mode == Mode::by_depth;
+  parameters.scale_selection = mode == Mode::scales;
+  hwy::SetSupportedTargetsForTest (target);
+  ImageNormals normals = compute (image, parameters);
+  hwy::SetSupportedTargetsForTest (0);
+  return normals;
+}
+
+/** The share of points with a normal or a curvature that is off by more than 1e-4, or missing
+ * on one side. */
+double
+shareOfDifferences (const ImageNormals& normals, const ImageNormals& expected)
+{
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Eigen::Vector4f &n = normals[i], &m = expected[i];
+    const bool both_missing = n.array().isNaN().all() && m.array().isNaN().all();
+    differ += !both_missing && !((n - m).array().abs() <= 1e-4f).all();
+  }
+  return static_cast<double> (differ) / static_cast<double> (normals.size());
+}
+
+/** Every set of instructions gives the normals of the scalar path. Only \a discontinuous
+ * modes may differ in a few points. */
+void
+expectSameNormals (const Image& image,
+                   const std::string& name,
+                   const std::vector<Mode>& discontinuous = {},
+                   double share = 0.)
+{
+  for (const Mode mode :
+       {Mode::plain, Mode::edge_aware, Mode::by_depth, Mode::scales}) {
+    const bool is_discontinuous =
+        std::count (discontinuous.begin(), discontinuous.end(), mode) > 0;
+    const ImageNormals expected = computeWith (scalar, image, mode);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+      EXPECT_LE (shareOfDifferences (computeWith (target, image, mode), expected),
+                 is_discontinuous ? share : 0.)
+          << name << ", mode " << static_cast<int> (mode) << ", "
+          << hwy::TargetName (target);
+  }
+}
+
+/** A room with a floor, a wall and a box, as a Kinect measures it: disparities in eighths
+ * of a pixel with noise, and nothing behind edges. */
+Image
+kinectImage (int width, int height)
+{
+  Image image (width, height);
+  std::mt19937 generator (9);
+  std::normal_distribution<float> gauss;
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
+      const Eigen::Vector3f r = ray (image, u, v);
+      const bool is_box = std::abs (r.x() + 0.1f) < 0.15f && r.y() > 0.f;
+      const float floor = r.y() > 0.f ? 0.9f / r.y() : 20.f;
+      const float depth = is_box ? 1.1f / (1.f + r.x()) : std::min (floor, 4.f - r.x());
+      const float disparity = 0.075f * 580.f / depth + 0.1f * gauss (generator);
+      const bool is_shadow = std::abs (r.x() - 0.06f) < 0.01f && r.y() > 0.f;
+      image (u, v) = is_shadow ? Eigen::Vector3f::Constant (std::nanf (""))
+                               : Eigen::Vector3f (0.075f * 580.f * 8.f /
+                                                  std::round (disparity * 8.f) * r);
+    }
+  return image;
+}
+
+} // namespace
+
+TEST (VectorInstructions, ScalarIsAmongThem)
+{
+  const auto targets = hwy::SupportedAndGeneratedTargets();
+  EXPECT_NE (std::find (targets.begin(), targets.end(), scalar), targets.end());
+  for (const std::int64_t target : targets)
+    std::printf ("%s\n", hwy::TargetName (target));
+}
+
+TEST (VectorInstructions, OddSizes)
+{
+  for (int width = 1; width <= 67; width += width < 20 ? 1 : 11)
+    for (const int height : {1, 2, 3, 8, 31, 67})
+      expectSameNormals (roughImage (width, height, 7),
+                         std::to_string (width) + " x " + std::to_string (height));
+}
+
+TEST (VectorInstructions, CellsOfFourPixels)
+{
+  expectSameNormals (roughImage (481, 37, 8), "481 x 37");
+  expectSameNormals (roughImage (500, 4, 9), "500 x 4");
+}
+
+/** With several sizes to choose from, a point between two of them may get either: rounding
+ * decides, and the means around it follow. */
+TEST (VectorInstructions, KinectAtTwoResolutions)
+{
+  expectSameNormals (kinectImage (640, 120), "640 x 120", {Mode::scales}, 0.0005);
+  expectSameNormals (kinectImage (320, 120), "320 x 120", {Mode::scales}, 0.0005);
+}
+
+TEST (VectorInstructions, TinyAndHugeCoordinates)
+{
+  for (const float unit : {1e-12f, 1e-3f, 0.03f, 30.f, 1e4f, 1e12f}) {
+    expectSameNormals (roughImage (67, 41, 10, unit), "unit " + std::to_string (unit));
+    expectSameNormals (roughImage (481, 6, 11, unit), "unit " + std::to_string (unit));
+  }
+}
+
+/** Neighbours anywhere, no surface at all. Means of planes in all directions may nearly
+ * cancel out, which leaves their rounding. */
+TEST (VectorInstructions, PointsAtRandom)
+{
+  std::mt19937 generator (12);
+  std::uniform_real_distribution<float> random (-1.f, 1.f);
+  for (const float size : {0.001f, 0.1f, 1.f, 10.f}) {
+    Image image (67, 41);
+    for (auto& p : image.points)
+      p = size *
+          Eigen::Vector3f (random (generator), random (generator), random (generator));
+    expectSameNormals (image,
+                       "at random, " + std::to_string (size),
+                       {Mode::edge_aware, Mode::by_depth, Mode::scales},
+                       0.002);
+  }
+}
