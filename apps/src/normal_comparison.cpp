@@ -21,26 +21,17 @@ constexpr char two_run_pca[] = "two_run_pca";
  */
 constexpr std::uint32_t min_pixels = 40;
 
-RadiusFunction
-referenceRadius (bool is_far)
-{
-  if (is_far)
-    return [] (float z) { return std::max (0.01f + 0.01f * z, 0.0085f * z * z); };
-  return [] (float z) { return 0.01f + 0.01f * z; };
-}
-
 } // namespace
 
 NormalComparison::NormalComparison (const std::vector<std::uint32_t>& steps,
-                                    bool far_reference)
-: reference_ (twoRunMethod (referenceRadius (far_reference), 0))
+                                    const RadiusFunction& radius)
+: reference_ (twoRunMethod (radius, 0))
 {
   for (const auto step : steps) {
     Resolution resolution{step, {}};
     for (auto& method : normalMethods())
       resolution.runners.push_back ({std::move (method), {}});
-    resolution.runners.push_back (
-        {twoRunMethod (referenceRadius (far_reference), 1), {}});
+    resolution.runners.push_back ({twoRunMethod (radius, 1), {}});
     resolutions_.push_back (std::move (resolution));
   }
 }
@@ -95,6 +86,7 @@ NormalComparison::run (Resolution& resolution, const Task& task)
                     std::to_string (task.cloud->height) + " pixels as " + name +
                     ", and 40 x 40 are needed; use --resolution vga or larger frames");
   const bool has_truth = !task.is_edge.empty();
+  const Normals& tangent = resolution.runners.front().normals;
   for (auto& [method, normals] : resolution.runners) {
     if (!has_truth && method.name == two_run_pca)
       continue;
@@ -104,10 +96,14 @@ NormalComparison::run (Resolution& resolution, const Task& task)
     NormalResult& result = resultOf (method.name, resolution.step, has_truth);
     result.milliseconds.push_back (method.compute (task.cloud, normals));
     for (std::size_t i = 0; i < normals.size(); ++i) {
-      result.all.add (task.reference[i], normals[i]);
+      const bool is_edge = has_truth && task.is_edge[i];
+      if (result.all.add (task.reference[i], normals[i])) {
+        result.tangent_there.add (task.reference[i], tangent[i]);
+        if (is_edge)
+          result.tangent_there_edges.add (task.reference[i], tangent[i]);
+      }
       if (has_truth)
-        (task.is_edge[i] ? result.edges : result.interior)
-            .add (task.reference[i], normals[i]);
+        (is_edge ? result.edges : result.interior).add (task.reference[i], normals[i]);
     }
   }
 }

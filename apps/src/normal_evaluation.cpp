@@ -30,16 +30,16 @@ percent (std::size_t part, std::size_t all)
 
 } // namespace
 
-void
+bool
 NormalDeviations::add (const pcl::Normal& reference, const pcl::Normal& normal)
 {
   const Eigen::Vector3f a = reference.getNormalVector3fMap();
   const Eigen::Vector3f b = normal.getNormalVector3fMap();
   if (!isDirection (a))
-    return;
+    return false;
   ++reference_normals_;
   if (!isDirection (b))
-    return;
+    return false;
   ++both_normals_;
   const double degrees = pcl::rad2deg (std::atan2 (a.cross (b).norm(), a.dot (b)));
   sum_ += degrees;
@@ -47,6 +47,7 @@ NormalDeviations::add (const pcl::Normal& reference, const pcl::Normal& normal)
     ++over_25_;
   histogram_.resize (static_cast<std::size_t> (180. * bins_per_degree) + 1);
   ++histogram_[static_cast<std::size_t> (degrees * bins_per_degree)];
+  return true;
 }
 
 double

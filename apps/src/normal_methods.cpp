@@ -18,6 +18,8 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
+using TangentNormalEstimation =
+    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
 using PclNormals = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
 
 template <typename Estimation>
@@ -51,10 +53,16 @@ std::vector<NormalMethod>
 normalMethods ()
 {
   std::vector<NormalMethod> methods;
-  methods.push_back (makeMethod (
-      "tangent",
-      std::make_shared<
-          pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>>()));
+  const auto addTangent = [&] (const std::string& name, const auto& configure) {
+    const auto estimation = std::make_shared<TangentNormalEstimation>();
+    configure (*estimation);
+    methods.push_back (makeMethod (name, estimation));
+  };
+  addTangent ("tangent", [] (auto&) {});
+  addTangent ("tangent_plain", [] (auto& e) { e.setEdgeAware (false); });
+  addTangent ("tangent_depth_dependent",
+              [] (auto& e) { e.setDepthDependentSmoothing (true); });
+  addTangent ("tangent_scale_selection", [] (auto& e) { e.setScaleSelection (true); });
   const std::pair<const char*, PclNormals::NormalEstimationMethod> pcl_modes[] = {
       {"average_3d_gradient", PclNormals::AVERAGE_3D_GRADIENT},
       {"covariance_matrix", PclNormals::COVARIANCE_MATRIX},

@@ -73,8 +73,11 @@ normalTableJson (const std::vector<NormalResult>& results)
     row["ms_median"] = median (result.milliseconds);
     addFigures (result.all, row);
     row["reference"] = result.reference;
+    addFigures (result.tangent_there, row["tangent_there"]);
     for (const auto& [key, part] :
-         {std::pair{"interior", &result.interior}, std::pair{"edges", &result.edges}}) {
+         {std::pair{"interior", &result.interior},
+          std::pair{"edges", &result.edges},
+          std::pair{"tangent_there_edges", &result.tangent_there_edges}}) {
       row[key] = nullptr;
       if (result.reference == "truth")
         addFigures (*part, row[key]);

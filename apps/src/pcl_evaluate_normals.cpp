@@ -5,6 +5,15 @@
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/normal_comparison.h>
 #include <pcl/apps/normal_report.h>
+#include <pcl/apps/parse_number.h>
+
+#include <boost/program_options/value_semantic.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace po = boost::program_options;
 
 using namespace pcl::rgbd_planes;
 
@@ -19,18 +28,46 @@ const char usage[] = "pcl_evaluate_normals INPUT... [options]\n\n"
                      "--resolution, each of\n"
                      "the three is tried. Times are of one thread.\n";
 
+/** A + B z with "A,B". */
+RadiusFunction
+parseRadius (const std::string& text)
+{
+  std::vector<float> values;
+  std::istringstream stream (text + ',');
+  for (std::string value; std::getline (stream, value, ',');)
+    values.push_back (parseNumber<float> ("--radius: a value", value));
+  if (values.size() != 2 || values[0] < 0.f || values[1] < 0.f ||
+      !std::isfinite (values[0] + values[1]) || values[0] + values[1] == 0.f)
+    throw AppError ("--radius: '" + text +
+                    "' must be two numbers, A,B: 0 or more, and not both 0");
+  return [a = values[0], b = values[1]] (float z) { return a + b * z; };
+}
+
+RadiusFunction
+readRadius (const po::variables_map& values)
+{
+  if (!values.count ("far-reference"))
+    return parseRadius (values["radius"].as<std::string>());
+  if (!values["radius"].defaulted())
+    throw AppError ("--radius and --far-reference exclude each other");
+  return [] (float z) { return std::max (0.01f + 0.01f * z, 0.0085f * z * z); };
+}
+
 void
 evaluateNormals (int argc, char** argv)
 {
-  boost::program_options::options_description own ("Reference");
+  po::options_description own ("Two-run principal component analysis");
   own.add_options() (
+      "radius",
+      po::value<std::string>()->value_name ("A,B")->default_value ("0.01,0.01"),
+      "take neighbours within A + B z, in metres") (
       "far-reference",
-      "let the radius of the reference grow as max (0.01 m + 0.01 z, 0.0085 z^2 / m) "
-      "instead of 0.01 m + 0.01 z: for scenes beyond 2.5 m");
+      "take neighbours within max (0.01 m + 0.01 z, 0.0085 z^2 / m): for scenes beyond "
+      "2.5 m");
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
-  NormalComparison comparison (command->steps, command->values.count ("far-reference"));
+  NormalComparison comparison (command->steps, readRadius (command->values));
   runEvaluation (
       *command,
       [&] (const Frame& frame) { comparison.add (frame); },

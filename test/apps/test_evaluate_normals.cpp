@@ -63,7 +63,11 @@ TEST_F (EvaluateNormals, SimulatedFrameAgainstTruth)
       const json result = row (results, method, resolution);
       EXPECT_EQ (result["reference"], "truth");
       EXPECT_GT (result["ms_median"], 0.);
-      for (const json& part : {result, result["interior"], result["edges"]}) {
+      for (const json& part : {result,
+                               result["interior"],
+                               result["edges"],
+                               result["tangent_there"],
+                               result["tangent_there_edges"]}) {
         EXPECT_GE (part["mean_deg"], 0.);
         EXPECT_LE (part["median_deg"], 180.);
         EXPECT_LE (part["over_25_percent"], 100.);
@@ -86,6 +90,7 @@ TEST_F (EvaluateNormals, RecordedFramesAgainstTwoRunPca)
     EXPECT_NE (result["method"], "two_run_pca");
     EXPECT_TRUE (result["interior"].is_null());
     EXPECT_TRUE (result["edges"].is_null());
+    EXPECT_TRUE (result["tangent_there_edges"].is_null());
   }
   EXPECT_LT (row (results, "tangent", "qvga")["mean_deg"], 0.1);
   EXPECT_EQ (row (results, "tangent", "qvga")["coverage_percent"], 100.);
@@ -107,6 +112,9 @@ TEST_F (EvaluateNormals, BadUsage)
   expectRefused ("sim:nowhere", "nowhere");
   expectRefused ("small.pcd --resolution tiny", "tiny");
   expectRefused ("small.pcd --resolution qvga", "40 x 40");
+  for (const std::string radius : {"1", "1,2,3", "a,b", "0,0", "-1,2", "inf,1"})
+    expectRefused ("small.pcd --radius=" + radius, "--radius");
+  expectRefused ("small.pcd --radius 1,0 --far-reference", "--far-reference");
   expectRefused ("small.pcd --wrong", "--help");
   expectRefused ("small.pcd --resolution vga --json no/where.json", "no");
 }

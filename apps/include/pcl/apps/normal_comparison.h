@@ -27,11 +27,15 @@ struct NormalResult {
    * others; without true normals, nothing is known of them. */
   NormalDeviations edges;
   NormalDeviations interior;
+  /** Of "tangent" at the points to which this method gives a normal: the figures to
+   * compare those of a method with that leaves points out. */
+  NormalDeviations tangent_there;
+  NormalDeviations tangent_there_edges;
 };
 
 /** \brief Runs all methods on frames and pools how far their normals are from the
  * reference: true normals where the frame has them, else two-run principal component
- * analysis of the full image, with neighbours within 0.01 m + 0.01 z.
+ * analysis of the full image.
  *
  * Only measured points count. Two-run principal component analysis itself is one of the
  * methods where there are true normals.
@@ -39,8 +43,9 @@ struct NormalResult {
 class NormalComparison {
 public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
-   * \param[in] far_reference let the radius be max (0.01 m + 0.01 z, 0.0085 z^2 / m) */
-  NormalComparison (const std::vector<std::uint32_t>& steps, bool far_reference);
+   * \param[in] radius of two-run principal component analysis */
+  NormalComparison (const std::vector<std::uint32_t>& steps,
+                    const RadiusFunction& radius);
 
   /** \brief Adds a frame of full resolution. AppError where it is too small. */
   void

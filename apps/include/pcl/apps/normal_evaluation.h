@@ -20,8 +20,9 @@ class NormalDeviations {
 public:
   /** \brief A point of the input. Without a reference normal (NaN) it does not count;
    * without a normal (NaN, Inf or zero) it counts for the coverage only. Neither needs
-   * unit length. */
-  void
+   * unit length.
+   * \return whether the point has both */
+  bool
   add (const pcl::Normal& reference, const pcl::Normal& normal);
 
   /** \brief In degrees, over the points with both normals; NaN if there are none. */

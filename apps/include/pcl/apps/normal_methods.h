@@ -28,9 +28,9 @@ struct NormalMethod {
 /** \brief Radius of neighbourhoods in metres, at depth z in metres. */
 using RadiusFunction = std::function<float (float)>;
 
-/** \brief The methods that pcl_evaluate_normals compares: ours ("tangent"), those of
- * PCL, and those of OpenCV where it was found at build time. For one size of clouds at
- * a time. */
+/** \brief The methods that pcl_evaluate_normals compares: ours, "tangent" first, then
+ * those of PCL, and those of OpenCV where it was found at build time. For one size of
+ * clouds at a time. */
 std::vector<NormalMethod>
 normalMethods ();
 

@@ -16,8 +16,9 @@ std::string
 normalTable (const std::vector<NormalResult>& results);
 
 /** \brief {"results": [{"method", "resolution", "ms_median", "mean_deg", "median_deg",
- * "over_25_percent", "coverage_percent", "reference", "interior", "edges"}, ...]}; the
- * last two hold the four figures of these pixels, null without true normals. */
+ * "over_25_percent", "coverage_percent", "reference", "interior", "edges",
+ * "tangent_there", "tangent_there_edges"}, ...]}; the last four hold four figures as in
+ * NormalResult, null where they need true normals and there are none. */
 std::string
 normalTableJson (const std::vector<NormalResult>& results);
 
