@@ -68,7 +68,7 @@ struct Curvatures {
     std::vector<float> squared_distances;
     for (std::size_t i = 0; i < cloud->size(); ++i) {
       const pcl::PointXYZ& p = (*cloud)[i];
-      const double radius = 0.03 * std::pow (p.z, 1.5);
+      const double radius = 0.03 * p.z;
       Eigen::Vector4f plane;
       float curvature;
       if (pcl::isFinite (p) && pcl::isNormalFinite (normals[i]) &&
