@@ -69,7 +69,6 @@ defaults (OurEstimation&)
 void
 plain (OurEstimation& estimation)
 {
-  estimation.setDepthDependentSmoothing (false);
   estimation.setEdgeAware (false);
 }
 

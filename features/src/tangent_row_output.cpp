@@ -33,14 +33,13 @@ TangentRowPipeline::write (int v, const NormalOutput& output)
                               below,
                               below.shifted (-du),
                               below.shifted (du)}};
-  const bool each_looks_around = parameters_->edge_aware && grid_.step > 1;
   const ChannelRow<float> normals = normals_[0];
   std::size_t valid = writeNormals (grid_.step > 1 ? pointsOf (v) : nullptr,
                                     static_cast<std::size_t> (padded_width_),
                                     grid_.step,
                                     sensor(),
                                     own,
-                                    each_looks_around ? &around : nullptr,
+                                    rowsAround() > 0 ? &around : nullptr,
                                     {{normals[0], normals[1]}});
   if (parameters_->ignore_border)
     valid -= blankBorder (y);

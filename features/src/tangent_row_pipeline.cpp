@@ -81,7 +81,7 @@ void
 TangentRowPipeline::start (int begin)
 {
   constexpr int lanes = static_cast<int> (RowRing<float>::lanes);
-  padded_width_ = (grid_.width + lanes - 1) / lanes * lanes;
+  padded_width_ = RowRing<float>::roundUp (grid_.width);
   const auto largest = grid_.areas[grid_.number_of_areas - 1];
   const int area = (2 * largest.half_width + 1) * (2 * largest.half_height + 1);
   units_ = static_cast<float> (1 << 30) / static_cast<float> (area);
@@ -89,7 +89,7 @@ TangentRowPipeline::start (int begin)
   const int shift_u = std::max (grid_.diagonal.u, grid_.straight.u);
   const int shift_v = std::max (grid_.diagonal.v, grid_.straight.v);
   const int ahead = plane_stages * shift_v + largest.half_height;
-  margin_ = (largest.half_width + lanes) / lanes * lanes;
+  margin_ = RowRing<float>::roundUp (largest.half_width + 1);
   staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
   pixels_.reset (
       grid_.step + 1, grid_.step * pixel_channels, padded_width_, 1, infinity);

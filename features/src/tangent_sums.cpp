@@ -58,6 +58,12 @@ struct Pixels {
   V gate;
 };
 
+HWY_INLINE Mask
+isMeasured (const Pixels& pixels)
+{
+  return hn::Lt (pixels.range, set (std::numeric_limits<float>::infinity()));
+}
+
 HWY_INLINE Pixels
 loadPixel (PixelRow row, std::size_t first, std::size_t at)
 {
@@ -111,19 +117,13 @@ cellSums (const PixelRow* pixels, std::size_t at, V max_change)
     sums.vertical = (link (first, third) + link (third, loadPixel (pixels[2], 0, at))) +
                     (link (second, fourth) +
                      link (fourth, loadPixel (pixels[2], pixel_channels, at)));
-    sums.point = third;
-    for (const Pixels* better : {&second, &first}) {
-      const Mask measured =
-          hn::Lt (better->range, set (std::numeric_limits<float>::infinity()));
+    sums.point = fourth;
+    for (const Pixels* better : {&third, &second, &first}) {
+      const Mask measured = isMeasured (*better);
       sums.point = {choose (measured, better->p, sums.point.p),
                     hn::IfThenElse (measured, better->range, sums.point.range),
                     hn::IfThenElse (measured, better->gate, sums.point.gate)};
     }
-    const Mask missing =
-        hn::Eq (sums.point.range, set (std::numeric_limits<float>::infinity()));
-    sums.point = {choose (missing, fourth.p, sums.point.p),
-                  hn::IfThenElse (missing, fourth.range, sums.point.range),
-                  hn::IfThenElse (missing, fourth.gate, sums.point.gate)};
     return sums;
   }
 }
@@ -151,8 +151,7 @@ sumTangentsOf (const PixelRow* pixels,
   for (std::size_t i = 0; i < cells; i += lanes) {
     const CellSums sums = cellSums<step> (pixels, i, max_change);
     const Pixels& point = sums.point;
-    const Mask measured =
-        hn::Lt (point.range, set (std::numeric_limits<float>::infinity()));
+    const Mask measured = isMeasured (point);
     store (point.p, points, cell_x, i);
     store (hn::IfThenElseZero (
                measured,

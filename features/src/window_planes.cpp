@@ -137,11 +137,7 @@ chooseLargerHere (float min_range,
     const Mask better = min_range > 0.f
                             ? hn::Gt (dot (p, p), set (min_range * min_range))
                             : hn::Gt (hn::Mul (weight, set (larger_bonus)), old_weight);
-    store (choose (better, load (larger, plane_x, i), load (planes, plane_x, i)),
-           planes,
-           plane_x,
-           at);
-    for (const std::size_t c : {plane_distance, plane_weight})
+    for (std::size_t c = 0; c < plane_channels; ++c)
       store (hn::IfThenElse (better, load (larger[c] + i), load (planes[c] + i)),
              planes[c] + i);
   }

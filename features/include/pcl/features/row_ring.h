@@ -82,6 +82,14 @@ public:
   /** Rows and the room around them are whole numbers of the longest vector. */
   static constexpr std::size_t lanes = 16;
 
+  /** \brief The elements of as many whole vectors as hold \a number of them. */
+  static constexpr int
+  roundUp (int number)
+  {
+    constexpr int vector = static_cast<int> (lanes);
+    return (number + vector - 1) / vector * vector;
+  }
+
   /** \brief Makes room for the last \a rows rows of \a width elements in \a channels
    * channels, and for \a margin elements on both sides of each, and sets everything to
    * \a value. Allocates only when more room is needed than ever before. */
@@ -90,8 +98,8 @@ public:
   {
     rows_ = static_cast<std::size_t> (rows);
     channels_ = static_cast<std::size_t> (channels);
-    margin_ = roundUp (static_cast<std::size_t> (margin));
-    stride_ = roundUp (static_cast<std::size_t> (width)) + 2 * margin_;
+    margin_ = static_cast<std::size_t> (roundUp (margin));
+    stride_ = static_cast<std::size_t> (roundUp (width)) + 2 * margin_;
     elements_.assign (rows_ * channels_ * stride_, value);
   }
 
@@ -104,12 +112,6 @@ public:
   }
 
 private:
-  static std::size_t
-  roundUp (std::size_t number)
-  {
-    return (number + lanes - 1) / lanes * lanes;
-  }
-
   std::size_t rows_ = 1;
   std::size_t channels_ = 1;
   std::size_t margin_ = 0;
