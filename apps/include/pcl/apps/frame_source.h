@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/apps/depth_image.h>
+#include <pcl/apps/point_labels.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/simulation/truth_point.h>
@@ -44,6 +45,8 @@ struct Frame {
   pcl::PointCloud<TruthPoint>::Ptr truth;
   /** The planes of a simulated frame, see SimulatedFrame::planes. */
   std::vector<Eigen::Vector4f> true_planes;
+  /** What a .pcd file says about its points. */
+  PointLabels labels;
 };
 
 /** \brief The frames of an INPUT, each read when it is asked for. Throws AppError where
