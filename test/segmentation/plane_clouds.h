@@ -89,16 +89,16 @@ expectSame (const Result& a, const Result& b)
     ASSERT_EQ (a.labels[i].label, b.labels[i].label) << i;
 }
 
+/** The points of planes, in percent of the measured points. */
 inline double
-labelledPercent (const Result& result, const Cloud& cloud)
+coveredPercent (const Result& result, const Cloud& cloud)
 {
-  std::size_t measured = 0, labelled = 0;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (pcl::isFinite (cloud[i]) && cloud[i].z != 0.f) {
-      ++measured;
-      labelled += result.labels[i].label != Ours::unlabelled;
-    }
-  return 100. * static_cast<double> (labelled) / static_cast<double> (measured);
+  std::size_t measured = 0, covered = 0;
+  for (const auto& point : cloud)
+    measured += pcl::isFinite (point) && point.z != 0.f;
+  for (const auto& inliers : result.inliers)
+    covered += inliers.indices.size();
+  return 100. * static_cast<double> (covered) / static_cast<double> (measured);
 }
 
 inline float
