@@ -28,7 +28,7 @@ Of .pcd files with objects (field label, as in mOSD) a second table tells how we
 table is found: IoU of its points and the best plane, mean and worst frame; purity: points
 that belong to what most points of their plane belong to, the table or one object. Of
 simulated frames it tells the share of the points on cylinders and spheres that carry the
-label of a plane.
+label of a plane, and of one that has most of its points on such surfaces (shattered).
 )";
 
 std::optional<RightAngles::Pairs>

@@ -96,6 +96,7 @@ sceneRow (const PlaneResult& result)
       .number (result.object_labels.worstTableIou(), 7, 3)
       .number (result.object_labels.purityPercent(), 8, 2)
       .number (result.curved.labelledPercent(), 17, 2)
+      .number (result.curved.shatteredPercent(), 11, 2)
       .number (right.medianDegrees(), 14, 2)
       .number (right.pairsWithinPercent(), 16, 1)
       .number (right.framesWithinPercent(), 9, 1)
@@ -132,6 +133,7 @@ jsonRow (const PlaneResult& result)
           {"table_iou_worst", result.object_labels.worstTableIou()},
           {"purity_percent", result.object_labels.purityPercent()},
           {"curved_labelled_percent", result.curved.labelledPercent()},
+          {"curved_shattered_percent", result.curved.shatteredPercent()},
           {"right_angle_median_deg", right.medianDegrees()},
           {"right_angle_pairs_percent", right.pairsWithinPercent()},
           {"right_angle_frames_percent", right.framesWithinPercent()},
@@ -154,10 +156,10 @@ planeComparisonTable (const std::vector<PlaneResult>& results)
   if (!std::any_of (results.begin(), results.end(), hasSceneFigures))
     return text;
   text += "\n"
-          "method        size   table IoU  worst  purity  curved labelled  right angles"
-          "  pairs in 2 deg   frames  of frames\n"
-          "                                            %                %        off by"
-          "               %        %\n";
+          "method        size   table IoU  worst  purity  curved labelled  shattered"
+          "  right angles  pairs in 2 deg   frames  of frames\n"
+          "                                            %                %          %"
+          "        off by               %        %\n";
   for (const auto& result : results)
     text += sceneRow (result);
   return text;

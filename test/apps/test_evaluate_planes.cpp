@@ -52,8 +52,20 @@ TEST_F (EvaluatePlanes, SimulatedFramesAgainstTruth)
       EXPECT_LE (row["mean_iou"], 1.);
       EXPECT_LE (row["coverage_percent"], 100.);
       EXPECT_GE (row["median_angle_error_deg"], 0.);
-      EXPECT_LE (row["curved_labelled_percent"], 100.);
+      EXPECT_TRUE (row["curved_labelled_percent"].is_null()) << "nothing is curved";
     }
+}
+
+TEST_F (EvaluatePlanes, CurvedSurfacesOfSimulatedFrames)
+{
+  ASSERT_EQ (run ("sim:table_cluttered --resolution qqvga --json table.json").code, 0);
+  for (const json& row : results()) {
+    const double labelled = row["curved_labelled_percent"].get<double>();
+    const double shattered = row["curved_shattered_percent"].get<double>();
+    EXPECT_GE (shattered, 0.);
+    EXPECT_LE (shattered, labelled);
+    EXPECT_LE (labelled, 100.);
+  }
 }
 
 TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
@@ -77,6 +89,7 @@ TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
                           "table_iou_worst",
                           "purity_percent",
                           "curved_labelled_percent",
+                          "curved_shattered_percent",
                           "right_angle_median_deg",
                           "right_angle_pairs_percent",
                           "right_angle_frames_percent"})

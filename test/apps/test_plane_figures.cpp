@@ -126,6 +126,7 @@ TEST_F (PlaneFigures, WithoutFramesThereAreNoFigures)
   EXPECT_TRUE (std::isnan (ObjectLabelEvaluation().worstTableIou()));
   EXPECT_TRUE (std::isnan (ObjectLabelEvaluation().purityPercent()));
   EXPECT_TRUE (std::isnan (CurvedPoints().labelledPercent()));
+  EXPECT_TRUE (std::isnan (CurvedPoints().shatteredPercent()));
   EXPECT_TRUE (std::isnan (RightAngles().medianDegrees()));
   EXPECT_TRUE (std::isnan (RightAngles().pairsWithinPercent()));
   EXPECT_TRUE (std::isnan (RightAngles().framesWithinPercent()));
@@ -141,11 +142,13 @@ TEST_F (PlaneFigures, CurvedIsWhatIsSeenOnNoTruePlane)
   }
   for (std::size_t i = 160; i < 180; ++i)
     setMissing (i);
-  addPlane (0, 115);
-  addPlane (170, 190);
+  addPlane (0, 115);   // 15 of them on the sphere
+  addPlane (130, 140); // all of them
+  addPlane (170, 190); // none
   CurvedPoints curved;
   curved.add (points(), found_, truth);
-  EXPECT_DOUBLE_EQ (curved.labelledPercent(), 100. * 15. / 60.);
+  EXPECT_DOUBLE_EQ (curved.labelledPercent(), 100. * (15. + 10.) / 60.);
+  EXPECT_DOUBLE_EQ (curved.shatteredPercent(), 100. * 10. / 60.);
 }
 
 TEST_F (PlaneFigures, RightAnglesAreThoseOfBigPlanesNear90Degrees)

@@ -28,9 +28,16 @@ public:
   double
   labelledPercent () const;
 
+  /** \brief The part of \ref labelledPercent of planes that have more than half of their
+   * points on curved surfaces. The rest is where curved surfaces meet planes, and too close to
+   * them for the noise to tell. */
+  double
+  shatteredPercent () const;
+
 private:
   std::size_t points_ = 0;
   std::size_t labelled_ = 0;
+  std::size_t shattered_ = 0;
 };
 
 } // namespace rgbd_planes
