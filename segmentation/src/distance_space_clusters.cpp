@@ -5,78 +5,104 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
 
-/** Distances from 1 cm to 100 m; what lies beyond falls into the first or last bin. */
-constexpr float min_distance = 0.01f;
-constexpr float max_distance = 100.f;
+/** Distances from 1 / 128 to 128 m; what lies beyond falls into the first or last bin. */
+constexpr float min_distance = 0.0078125f;
+constexpr int octaves = 14;
+/** A float holds a logarithm: its exponent, and in the mantissa the 64 parts of an
+ * octave. Bins are 0.8 to 1.6 % wide. */
+constexpr int mantissa_bits_left_out = 17;
+constexpr int bins_per_octave = 64;
+constexpr std::size_t bins_per_histogram = octaves * bins_per_octave;
+
+std::size_t
+binOf (float distance)
+{
+  const auto bits = [] (float value) {
+    std::int32_t result;
+    std::memcpy (&result, &value, sizeof result);
+    return result >> mantissa_bits_left_out;
+  };
+  const std::int32_t bin = bits (distance) - bits (min_distance);
+  return static_cast<std::size_t> (
+      std::clamp (bin, 0, static_cast<std::int32_t> (bins_per_histogram) - 1));
+}
 
 } // namespace
 
 void
-DistanceSpaceClusters::compute (const OrganizedPoints& points,
+DistanceSpaceClusters::compute (const PlaneSamples& samples,
                                 const NormalSpaceClusters& normal_clusters,
-                                float relative_threshold,
                                 std::size_t min_points)
 {
-  fillHistograms (points, normal_clusters);
-  mergeBins (relative_threshold, std::max (min_points, std::size_t{1}));
-}
-
-void
-DistanceSpaceClusters::fillHistograms (const OrganizedPoints& points,
-                                       const NormalSpaceClusters& normal_clusters)
-{
-  const float log_width = std::log1p (bin_width);
-  const auto bins_per_cluster =
-      static_cast<std::size_t> (std::log (max_distance / min_distance) / log_width) + 1;
   const auto& normals = normal_clusters.meanNormals();
-  bins_.assign (normals.size() * bins_per_cluster, Bin{});
   labels_ = normal_clusters.labels();
+  points_.assign (normals.size(), 0);
+  for (const std::int32_t label : labels_)
+    if (label != NormalSpaceClusters::none)
+      ++points_[static_cast<std::size_t> (label)];
+  histogram_of_.assign (normals.size(), NormalSpaceClusters::none);
+  std::size_t histograms = 0;
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    if (points_[k] >= min_points)
+      histogram_of_[k] = static_cast<std::int32_t> (histograms++);
+
+  bins_.assign (histograms * bins_per_histogram, 0);
   for (std::size_t i = 0; i < labels_.size(); ++i) {
     if (labels_[i] == NormalSpaceClusters::none)
       continue;
     const auto cluster = static_cast<std::size_t> (labels_[i]);
-    const Eigen::Map<const Eigen::Vector3f> point (points[i]);
-    const float distance = std::abs (normals[cluster].dot (point));
-    const float log_distance =
-        std::log (std::clamp (distance, min_distance, max_distance) / min_distance);
-    const auto bin = std::min (static_cast<std::size_t> (log_distance / log_width),
-                               bins_per_cluster - 1);
-    const std::size_t index = cluster * bins_per_cluster + bin;
-    bins_[index].sum += log_distance;
-    ++bins_[index].points;
-    labels_[i] = static_cast<std::int32_t> (index);
+    const std::int32_t histogram = histogram_of_[cluster];
+    labels_[i] = NormalSpaceClusters::none;
+    if (histogram == NormalSpaceClusters::none)
+      continue;
+    const Eigen::Vector3f& n = normals[cluster];
+    const float distance =
+        std::abs (n[0] * samples.x[i] + n[1] * samples.y[i] + n[2] * samples.z[i]);
+    const std::size_t bin =
+        static_cast<std::size_t> (histogram) * bins_per_histogram + binOf (distance);
+    ++bins_[bin];
+    labels_[i] = static_cast<std::int32_t> (bin);
   }
+
+  cluster_of_bin_.resize (bins_.size());
+  normal_clusters_.clear();
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    if (histogram_of_[k] != NormalSpaceClusters::none)
+      splitAtMinima (static_cast<std::size_t> (histogram_of_[k]),
+                     static_cast<std::int32_t> (k));
+  for (std::int32_t& label : labels_)
+    if (label != NormalSpaceClusters::none)
+      label = cluster_of_bin_[static_cast<std::size_t> (label)];
 }
 
 void
-DistanceSpaceClusters::mergeBins (float relative_threshold, std::size_t min_points)
+DistanceSpaceClusters::splitAtMinima (std::size_t histogram,
+                                      std::int32_t normal_cluster)
 {
-  const std::size_t count = bins_.size();
-  merging_.reset (std::move (bins_));
-  // The last bin of one histogram and the first of the next differ far too much to
-  // merge.
-  for (std::size_t i = 0; i + 1 < count; ++i)
-    if (merging_[i].points > 0 && merging_[i + 1].points > 0)
-      merging_.addNeighbours (i, i + 1);
-  merging_.merge (std::log1p (relative_threshold), [] (const Bin& a, const Bin& b) {
-    return static_cast<float> (std::abs (a.sum / static_cast<double> (a.points) -
-                                         b.sum / static_cast<double> (b.points)));
-  });
-
-  clusters_ = 0;
-  std::vector<std::int32_t> number (count, NormalSpaceClusters::none);
-  for (std::size_t i = 0; i < count; ++i)
-    if (merging_.find (i) == i && merging_[i].points >= min_points)
-      number[i] = static_cast<std::int32_t> (clusters_++);
-  for (std::int32_t& label : labels_)
-    if (label != NormalSpaceClusters::none)
-      label = number[merging_.find (static_cast<std::size_t> (label))];
+  const std::size_t begin = histogram * bins_per_histogram;
+  const std::size_t end = begin + bins_per_histogram;
+  const auto smoothed = [&] (std::size_t i) {
+    return 2 * bins_[i] + (i > begin ? bins_[i - 1] : 0) +
+           (i + 1 < end ? bins_[i + 1] : 0);
+  };
+  std::uint32_t before = 0;
+  bool falling = true;
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint32_t now = smoothed (i);
+    if (now > before && falling)
+      normal_clusters_.push_back (normal_cluster);
+    if (now != before)
+      falling = now < before;
+    before = now;
+    cluster_of_bin_[i] = static_cast<std::int32_t> (normal_clusters_.size()) - 1;
+  }
 }
 
 } // namespace rgbd_planes

@@ -14,98 +14,170 @@ namespace {
 /** Bounds the memory of the grid: 68 cells along each axis. */
 constexpr float min_cell_size = 0.03f;
 
+/** The index of the cell of \a value in [0, 1]. */
+int
+cellOf (float value, int cells)
+{
+  return std::min (std::max (static_cast<int> (value * static_cast<float> (cells)), 0),
+                   cells - 1);
+}
+
 } // namespace
 
 void
-NormalSpaceClusters::compute (const OrganizedNormals& normals,
-                              const std::vector<std::uint8_t>& use,
+NormalSpaceClusters::compute (const PlaneSamples& samples,
+                              NormalSpaceGrid grid,
                               float angular_threshold,
                               std::size_t min_cell_points)
 {
-  fillGrid (normals, use, std::max (0.5f * angular_threshold, min_cell_size));
-  mergeCells (angular_threshold, std::max (min_cell_points, std::size_t{1}));
+  const float cell_size = std::max (0.5f * angular_threshold, min_cell_size);
+  if (grid == NormalSpaceGrid::voxels) {
+    cells_per_axis_ = static_cast<int> (std::ceil (2.f / cell_size));
+    const int n = cells_per_axis_;
+    fillGrid (
+        samples, static_cast<std::size_t> (n * n * n), [n] (float x, float y, float z) {
+          return (cellOf (0.5f * (z + 1.f), n) * n + cellOf (0.5f * (y + 1.f), n)) * n +
+                 cellOf (0.5f * (x + 1.f), n);
+        });
+  }
+  else {
+    layOutSphere (cell_size);
+    fillGrid (samples, latitudes_.back(), [this] (float x, float y, float z) {
+      const float theta = std::atan2 (z, std::hypot (x, y));
+      const float phi = std::atan2 (y, x);
+      const auto latitude =
+          static_cast<std::size_t> (cellOf (theta / static_cast<float> (M_PI) + 0.5f,
+                                            static_cast<int> (latitudes_.size()) - 1));
+      const int cells =
+          static_cast<int> (latitudes_[latitude + 1] - latitudes_[latitude]);
+      return static_cast<int> (latitudes_[latitude]) +
+             cellOf (0.5f * phi / static_cast<float> (M_PI) + 0.5f, cells);
+    });
+  }
+  startMerging (std::max (min_cell_points, std::size_t{1}));
+  if (grid == NormalSpaceGrid::voxels)
+    addNeighboursOfVoxels();
+  else
+    addNeighboursOnSphere();
+  finishMerging (angular_threshold);
 }
 
+/** Circles of latitude are as wide as cells; towards the poles they hold fewer cells. */
 void
-NormalSpaceClusters::fillGrid (const OrganizedNormals& normals,
-                               const std::vector<std::uint8_t>& use,
-                               float cell_size)
+NormalSpaceClusters::layOutSphere (float cell_size)
 {
-  cells_per_axis_ = static_cast<int> (std::ceil (2.f / cell_size)) + 1;
-  const auto n = static_cast<std::size_t> (cells_per_axis_);
-  grid_.assign (n * n * n, Cell{});
-  labels_.assign (use.size(), none);
-  const auto cellAlong = [&] (float component) {
-    const float cell = (component + 1.f) / cell_size;
-    return static_cast<int> (
-        std::clamp (cell, 0.f, static_cast<float> (cells_per_axis_ - 1)));
-  };
-  for (std::size_t i = 0; i < use.size(); ++i) {
-    if (!(use[i] & clustered))
+  const double latitudes = std::ceil (M_PI / cell_size);
+  latitudes_.assign (1, 0);
+  for (double k = 0.5; k < latitudes; ++k) {
+    const double circumference = 2. * M_PI * std::sin (M_PI * k / latitudes);
+    latitudes_.push_back (latitudes_.back() +
+                          static_cast<std::size_t> (
+                              std::max (1., std::round (circumference / cell_size))));
+  }
+}
+
+template <typename CellOf>
+void
+NormalSpaceClusters::fillGrid (const PlaneSamples& samples,
+                               std::size_t cells,
+                               const CellOf& cell_of)
+{
+  grid_.assign (cells, Cell{});
+  labels_.assign (samples.size(), none);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples.isClustered (i))
       continue;
-    const float* normal = normals.normal + i * normals.stride;
-    const int cell = (cellAlong (normal[2]) * cells_per_axis_ + cellAlong (normal[1])) *
-                         cells_per_axis_ +
-                     cellAlong (normal[0]);
+    const float x = samples.normal_x[i], y = samples.normal_y[i],
+                z = samples.normal_z[i];
+    const int cell = cell_of (x, y, z);
     Cell& sums = grid_[static_cast<std::size_t> (cell)];
-    sums.sum += Eigen::Vector3d (normal[0], normal[1], normal[2]);
+    sums.sum += Eigen::Vector3f (x, y, z);
     ++sums.points;
     labels_[i] = cell;
   }
 }
 
 void
-NormalSpaceClusters::mergeCells (float angular_threshold, std::size_t min_cell_points)
+NormalSpaceClusters::startMerging (std::size_t min_cell_points)
 {
-  std::vector<std::int32_t> cluster_of_cell (grid_.size(), none);
-  std::vector<Cell> clusters;
+  cluster_of_cell_.assign (grid_.size(), none);
+  cells_.clear();
   for (std::size_t i = 0; i < grid_.size(); ++i)
     if (grid_[i].points >= min_cell_points) {
-      cluster_of_cell[i] = static_cast<std::int32_t> (clusters.size());
-      clusters.push_back (grid_[i]);
+      cluster_of_cell_[i] = static_cast<std::int32_t> (cells_.size());
+      cells_.push_back (grid_[i]);
     }
-  const std::size_t count = clusters.size();
-  merging_.reset (std::move (clusters));
+  merging_.reset (cells_);
+}
 
+void
+NormalSpaceClusters::addNeighbours (std::size_t cell, std::size_t other)
+{
+  const std::int32_t a = cluster_of_cell_[cell], b = cluster_of_cell_[other];
+  if (a != none && b != none && a != b)
+    merging_.addNeighbours (static_cast<std::size_t> (a), static_cast<std::size_t> (b));
+}
+
+void
+NormalSpaceClusters::addNeighboursOfVoxels()
+{
   const int n = cells_per_axis_;
-  const auto clusterAt = [&] (int x, int y, int z) {
-    const bool inside = x >= 0 && x < n && y >= 0 && y < n && z >= 0 && z < n;
-    return inside ? cluster_of_cell[static_cast<std::size_t> ((z * n + y) * n + x)]
-                  : none;
-  };
+  std::size_t cell = 0;
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
-        const std::int32_t cluster = clusterAt (x, y, z);
-        if (cluster == none)
+      for (int x = 0; x < n; ++x, ++cell) {
+        if (cluster_of_cell_[cell] == none)
           continue;
         // Half of the 26 neighbours: each pair once.
         for (int k = 14; k < 27; ++k) {
-          const std::int32_t neighbour =
-              clusterAt (x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1);
-          if (neighbour != none)
-            merging_.addNeighbours (static_cast<std::size_t> (cluster),
-                                    static_cast<std::size_t> (neighbour));
+          const int u = x + k % 3 - 1, v = y + k / 3 % 3 - 1, w = z + k / 9 - 1;
+          if (u >= 0 && u < n && v >= 0 && v < n && w < n)
+            addNeighbours (cell, static_cast<std::size_t> ((w * n + v) * n + u));
         }
       }
-  merging_.merge (angular_threshold, [] (const Cell& a, const Cell& b) {
-    return static_cast<float> (
-        std::atan2 (a.sum.cross (b.sum).norm(), a.sum.dot (b.sum)));
-  });
+}
 
-  mean_normals_.clear();
-  std::vector<std::int32_t> number (count, none);
-  for (std::size_t i = 0; i < count; ++i)
-    if (merging_.find (i) == i) {
-      number[i] = static_cast<std::int32_t> (mean_normals_.size());
-      mean_normals_.push_back (merging_[i].sum.normalized().cast<float>());
+void
+NormalSpaceClusters::addNeighboursOnSphere()
+{
+  for (std::size_t latitude = 0; latitude + 1 < latitudes_.size(); ++latitude) {
+    const std::size_t begin = latitudes_[latitude], end = latitudes_[latitude + 1];
+    const std::size_t cells = end - begin;
+    for (std::size_t k = 0; k < cells; ++k) {
+      addNeighbours (begin + k, begin + (k + 1) % cells);
+      if (latitude + 2 == latitudes_.size())
+        continue;
+      // Those of the next circle that touch it, with the ones beside them.
+      const std::size_t others = latitudes_[latitude + 2] - end;
+      const std::size_t first = k * others / cells + others - 1;
+      const std::size_t last = ((k + 1) * others - 1) / cells + others + 1;
+      for (std::size_t other = first; other <= last; ++other)
+        addNeighbours (begin + k, end + other % others);
     }
-  for (std::int32_t& cluster : cluster_of_cell)
+  }
+}
+
+void
+NormalSpaceClusters::finishMerging (float angular_threshold)
+{
+  // The length of the chord between unit vectors grows with their angle.
+  const float max_chord = 2.f * std::sin (0.5f * angular_threshold);
+  merging_.merge (max_chord, [] (const Cell& a, const Cell& b) {
+    return (a.sum.normalized() - b.sum.normalized()).norm();
+  });
+  mean_normals_.clear();
+  numbers_.assign (cells_.size(), none);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    if (merging_.find (i) == i) {
+      numbers_[i] = static_cast<std::int32_t> (mean_normals_.size());
+      mean_normals_.push_back (merging_[i].sum.normalized());
+    }
+  for (std::int32_t& cluster : cluster_of_cell_)
     if (cluster != none)
-      cluster = number[merging_.find (static_cast<std::size_t> (cluster))];
+      cluster = numbers_[merging_.find (static_cast<std::size_t> (cluster))];
   for (std::int32_t& label : labels_)
     if (label != none)
-      label = cluster_of_cell[static_cast<std::size_t> (label)];
+      label = cluster_of_cell_[static_cast<std::size_t> (label)];
 }
 
 } // namespace rgbd_planes

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "plane_kernels.h"
+
 #include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/plane_growth.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -11,90 +15,178 @@ namespace rgbd_planes {
 
 namespace {
 
-constexpr int tile_size = 16;
-constexpr std::uint16_t min_tile_points = 8;
-constexpr float min_cos_normals = 0.82f; // 35 degrees
+constexpr std::uint32_t min_samples_in_tile = 4;
+constexpr std::uint32_t max_planes_in_tile =
+    PlaneSamples::tile_size / min_samples_in_tile;
+/** Normals at creases may be off by 35 degrees, where their estimator averages over them. */
+constexpr float max_min_cosine = 0.82f;
+/** The planes of a tile and of the eight around it. */
+using PlanesAround = std::array<TilePlane, 9 * max_planes_in_tile>;
+
+/** The samples of the tile that begins with sample \a begin whose normals agree. */
+std::uint16_t
+compatibleSamples (const PlaneSamples& samples,
+                   const std::vector<std::int32_t>& owners,
+                   std::size_t begin,
+                   const Plane& plane)
+{
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k) {
+    const std::size_t i = begin + k;
+    const float cosine = std::abs (samples.normal_x[i] * plane.normal[0] +
+                                   samples.normal_y[i] * plane.normal[1] +
+                                   samples.normal_z[i] * plane.normal[2]);
+    const bool agrees = owners[i] != PlaneGrowth::curved_surface &&
+                        cosine >= std::min (samples.min_cosine[i], max_min_cosine);
+    bits |= static_cast<unsigned> (agrees) << k;
+  }
+  return static_cast<std::uint16_t> (bits);
+}
+
+void
+maskUnselected (const TilePixels& pixels,
+                const std::uint8_t* selected,
+                std::uint32_t* labels)
+{
+  for (int v = 0; v < pixels.height; ++v)
+    for (int u = 0; u < pixels.width; ++u) {
+      const std::size_t i = static_cast<std::size_t> (v) * pixels.image_width +
+                            static_cast<std::size_t> (u);
+      if (!selected[i])
+        labels[i] = unlabelled;
+    }
+}
+
+void
+fillLabels (const TilePixels& pixels, std::uint32_t* labels)
+{
+  for (int v = 0; v < pixels.height; ++v)
+    std::fill_n (labels + static_cast<std::size_t> (v) * pixels.image_width,
+                 pixels.width,
+                 unlabelled);
+}
+
+void
+addMoments (const TilePixels& pixels,
+            const std::uint32_t* labels,
+            const TilePlane& plane,
+            const DepthNoise& noise,
+            const Eigen::Vector3f& reference,
+            PlaneMoments& moments,
+            PlaneMoments& weighted_moments)
+{
+  const Eigen::Vector3d r = reference.cast<double>();
+  double sums[10], weighted[10];
+  sumPixels (pixels, labels, plane.number, noise, {r[0], r[1], r[2]}, sums, weighted);
+  const auto number = static_cast<std::size_t> (sums[0]);
+  if (number == 0)
+    return;
+  moments.add (sums, r, number);
+  weighted_moments.add (weighted, r, number);
+}
 
 } // namespace
 
 void
-PlaneAssignment::assign (const OrganizedPoints& points,
-                         const OrganizedNormals& normals,
-                         const std::vector<std::uint8_t>& use,
-                         const std::vector<Plane>& planes,
-                         const DepthNoise& noise,
-                         float max_sigmas,
-                         Preference preference,
-                         std::vector<std::uint32_t>& labels)
+PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
+                                    const std::vector<std::int32_t>& owners)
 {
-  findPresentPlanes (points.width, points.height, planes.size(), labels);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    labels[i] = unlabelled;
-    if (!(use[i] & measured))
+  const std::size_t tiles = samples.size() / PlaneSamples::tile_size;
+  present_.clear();
+  first_.clear();
+  for (std::size_t tile = 0; tile < tiles; ++tile) {
+    first_.push_back (present_.size());
+    std::int32_t own[PlaneSamples::tile_size];
+    std::copy_n (&owners[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, own);
+    if (std::all_of (
+            own, std::end (own), [&] (std::int32_t o) { return o == own[0]; })) {
+      if (own[0] >= 0)
+        present_.push_back (static_cast<std::uint32_t> (own[0]));
       continue;
-    const float* p = points[i];
-    const float squared_range = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-    float nearest = max_sigmas * noise.sigma (squared_range);
-    const int u = static_cast<int> (i % static_cast<std::size_t> (points.width));
-    const int v = static_cast<int> (i / static_cast<std::size_t> (points.width));
-    const auto tile =
-        static_cast<std::size_t> (v / tile_size * tiles_u_ + u / tile_size);
-    for (std::size_t k = present_begin_[tile]; k < present_begin_[tile + 1]; ++k) {
-      const Plane& plane = planes[present_[k]];
-      const float distance = std::abs (plane.distance (p));
-      if (!(distance <= nearest))
-        continue;
-      if (use[i] & trusted_normal) {
-        const Eigen::Map<const Eigen::Vector3f> normal (normals.normal +
-                                                        i * normals.stride);
-        if (std::abs (normal.dot (plane.normal)) < min_cos_normals)
-          continue;
-      }
-      labels[i] = present_[k];
-      nearest = distance;
-      if (preference == Preference::first)
-        break;
     }
+    std::sort (own, std::end (own));
+    for (std::size_t k = 0; k + min_samples_in_tile <= PlaneSamples::tile_size; ++k)
+      if (own[k] >= 0 && own[k] == own[k + min_samples_in_tile - 1] &&
+          (k == 0 || own[k - 1] != own[k]))
+        present_.push_back (static_cast<std::uint32_t> (own[k]));
   }
+  first_.push_back (present_.size());
 }
 
 void
-PlaneAssignment::findPresentPlanes (int width,
-                                    int height,
-                                    std::size_t planes,
-                                    const std::vector<std::uint32_t>& labels)
+PlaneAssignment::compute (const OrganizedPoints& points,
+                          const std::vector<std::uint8_t>& selected,
+                          const PlaneSamples& samples,
+                          const std::vector<std::int32_t>& owners,
+                          const std::vector<Plane>& planes,
+                          const DepthNoise& noise,
+                          float max_sigmas)
 {
-  tiles_u_ = (width + tile_size - 1) / tile_size;
-  tiles_v_ = (height + tile_size - 1) / tile_size;
-  const std::size_t tiles = static_cast<std::size_t> (tiles_u_ * tiles_v_);
-  counts_.assign (tiles * planes, 0);
-  std::size_t i = 0;
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u, ++i)
-      if (labels[i] != unlabelled) {
-        const auto tile =
-            static_cast<std::size_t> (v / tile_size * tiles_u_ + u / tile_size);
-        ++counts_[tile * planes + labels[i]];
-      }
+  findPresentPlanes (samples, owners);
+  labels_.resize (points.size());
+  moments_.assign (planes.size(), PlaneMoments{});
+  weighted_moments_.assign (planes.size(), PlaneMoments{});
+  const int side = PlaneSamples::tile_side * samples.step;
+  for (int tile_v = 0; tile_v < samples.tiles_v; ++tile_v)
+    for (int tile_u = 0; tile_u < samples.tiles_u; ++tile_u) {
+      const auto tile = static_cast<std::size_t> (tile_v * samples.tiles_u + tile_u);
+      const auto first = static_cast<std::size_t> (tile_v * side) *
+                             static_cast<std::size_t> (points.width) +
+                         static_cast<std::size_t> (tile_u * side);
+      TilePixels pixels;
+      pixels.first = points[first];
+      pixels.stride = points.stride;
+      pixels.image_width = static_cast<std::size_t> (points.width);
+      pixels.width = std::min (side, points.width - tile_u * side);
+      pixels.height = std::min (side, points.height - tile_v * side);
+      pixels.step = samples.step;
 
-  const auto isPresent = [&] (int tile_u, int tile_v, std::size_t plane) {
-    for (int v = std::max (tile_v - 1, 0); v <= std::min (tile_v + 1, tiles_v_ - 1);
-         ++v)
-      for (int u = std::max (tile_u - 1, 0); u <= std::min (tile_u + 1, tiles_u_ - 1);
-           ++u)
-        if (counts_[static_cast<std::size_t> (v * tiles_u_ + u) * planes + plane] >=
-            min_tile_points)
-          return true;
-    return false;
-  };
-  present_.clear();
-  present_begin_.assign (1, 0);
-  for (int v = 0; v < tiles_v_; ++v)
-    for (int u = 0; u < tiles_u_; ++u) {
-      for (std::size_t plane = 0; plane < planes; ++plane)
-        if (isPresent (u, v, plane))
-          present_.push_back (static_cast<std::uint32_t> (plane));
-      present_begin_.push_back (present_.size());
+      PlanesAround around;
+      std::size_t number = 0;
+      for (int v = std::max (tile_v - 1, 0);
+           v <= std::min (tile_v + 1, samples.tiles_v - 1);
+           ++v)
+        for (int u = std::max (tile_u - 1, 0);
+             u <= std::min (tile_u + 1, samples.tiles_u - 1);
+             ++u) {
+          const auto other = static_cast<std::size_t> (v * samples.tiles_u + u);
+          for (std::size_t k = first_[other]; k < first_[other + 1]; ++k) {
+            const std::uint32_t id = present_[k];
+            if (std::any_of (&around[0], &around[number], [id] (const TilePlane& p) {
+                  return p.number == id;
+                }))
+              continue;
+            const Plane& plane = planes[id];
+            around[number++] = {
+                id,
+                {plane.normal[0], plane.normal[1], plane.normal[2], plane.d},
+                compatibleSamples (
+                    samples, owners, tile * PlaneSamples::tile_size, plane)};
+          }
+        }
+      if (number == 0) {
+        fillLabels (pixels, &labels_[first]);
+        continue;
+      }
+      assignPixels (pixels,
+                    around.data(),
+                    number,
+                    noise,
+                    max_sigmas,
+                    unlabelled,
+                    &labels_[first]);
+      if (!selected.empty())
+        maskUnselected (pixels, &selected[first], &labels_[first]);
+      for (std::size_t k = 0; k < number; ++k) {
+        const std::uint32_t id = around[k].number;
+        addMoments (pixels,
+                    &labels_[first],
+                    around[k],
+                    noise,
+                    -planes[id].d * planes[id].normal,
+                    moments_[id],
+                    weighted_moments_[id]);
+      }
     }
 }
 

@@ -13,14 +13,12 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Cells of the normal-space grid hold at least this share of all points. */
+/** Cells of the normal-space grid hold at least this share of all samples. */
 constexpr double min_cell_share = 1e-4;
-/** Points with less than this share of the maximum curvature are flat. */
-constexpr float flat_share = 0.1f;
-/** A cluster needs this share of min_inliers to become a candidate. */
-constexpr double min_candidate_share = 0.25;
-/** Planes are joined up to this share of the distance threshold, as rms. */
-constexpr double max_rms_share = 2. / 3.;
+/** A connected part of a cluster is a candidate with this share of min_inliers. */
+constexpr double min_candidate_share = 0.15;
+/** What no plane took is clustered once more. */
+constexpr int rounds = 2;
 
 double
 secondsSince (std::chrono::steady_clock::time_point& start)
@@ -40,172 +38,121 @@ PlaneExtraction::compute (const OrganizedPoints& points,
                           const PlaneExtractionParameters& parameters)
 {
   parameters_ = parameters;
+  rejections_ = {};
+  times_ = {};
   auto start = std::chrono::steady_clock::now();
-  markUse (points, normals, selected);
-  const auto size = static_cast<double> (points.size());
-  normal_clusters_.compute (normals,
-                            use_,
-                            static_cast<float> (parameters.angular_threshold),
-                            static_cast<std::size_t> (min_cell_share * size));
+  samples_.compute (
+      points, normals, selected, parameters.noise, parameters.maximum_curvature);
   times_.normal_space = secondsSince (start);
 
-  const auto min_candidate = static_cast<std::size_t> (
-      min_candidate_share * static_cast<double> (parameters.min_inliers));
-  distance_clusters_.compute (points,
-                              normal_clusters_,
-                              static_cast<float> (parameters.distance_threshold),
-                              min_candidate);
-  times_.distance_space = secondsSince (start);
-
-  fitCandidates (points);
-  refine (points, normals);
-  times_.refinement = secondsSince (start);
+  const float max_sigmas =
+      static_cast<float> (parameters.distance_threshold) / parameters.noise.sigma (1.f);
+  const double min_samples =
+      static_cast<double> (parameters.min_inliers) / (samples_.step * samples_.step);
+  growth_.reset (samples_, min_samples, max_sigmas);
+  findParts();
+  start = std::chrono::steady_clock::now();
+  joinParts();
+  assignment_.compute (
+      points, selected, samples_, owners_, planes_, parameters.noise, max_sigmas);
+  finish();
+  times_.refinement += secondsSince (start);
 }
 
 void
-PlaneExtraction::markUse (const OrganizedPoints& points,
-                          const OrganizedNormals& normals,
-                          const std::vector<std::uint8_t>& selected)
+PlaneExtraction::findParts()
 {
-  use_.assign (points.size(), 0);
-  for (std::size_t i = 0; i < use_.size(); ++i) {
-    const float* p = points[i];
-    // Points so far away that their squared range overflows are no measurements either.
-    if (!selected[i] || !isMeasured (p) ||
-        !std::isfinite (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]))
-      continue;
-    use_[i] = measured;
-    const float* normal = normals.normal + i * normals.stride;
-    if (!std::isfinite (normal[0] + normal[1] + normal[2]))
-      continue;
-    const float curvature = normals.curvature[i * normals.stride];
-    if (!(curvature > parameters_.maximum_curvature))
-      use_[i] |= clustered;
-    if (!(curvature > flat_share * parameters_.maximum_curvature))
-      use_[i] |= trusted_normal;
+  const double candidate =
+      min_candidate_share * parameters_.min_inliers / (samples_.step * samples_.step);
+  const auto min_candidate =
+      std::max (static_cast<std::size_t> (std::ceil (candidate)), std::size_t{3});
+  const auto min_cell = static_cast<std::size_t> (
+      min_cell_share * static_cast<double> (samples_.width * samples_.height));
+  auto start = std::chrono::steady_clock::now();
+  for (int round = 0; round < rounds; ++round) {
+    normal_clusters_.compute (samples_,
+                              parameters_.grid,
+                              static_cast<float> (parameters_.angular_threshold),
+                              min_cell);
+    times_.normal_space += secondsSince (start);
+    distance_clusters_.compute (samples_, normal_clusters_, min_candidate);
+    components_.compute (samples_, distance_clusters_.labels(), min_candidate);
+    times_.distance_space += secondsSince (start);
+    growParts();
+    times_.refinement += secondsSince (start);
   }
 }
 
 void
-PlaneExtraction::fitCandidates (const OrganizedPoints& points)
+PlaneExtraction::growParts()
 {
-  const auto& clusters = distance_clusters_.labels();
-  labels_.resize (clusters.size());
-  std::transform (
-      clusters.begin(), clusters.end(), labels_.begin(), [] (std::int32_t cluster) {
-        return cluster == NormalSpaceClusters::none
-                   ? unlabelled
-                   : static_cast<std::uint32_t> (cluster);
-      });
-  sumMoments (points, distance_clusters_.size(), Weights::inverse_variances);
-  keepPlanes (1);
-  joinCoplanar();
-}
-
-/** Joins planes to the first larger one that explains them: the mean squared distance
- * of their points to it, in variances of depth, is that of points on the plane. */
-void
-PlaneExtraction::joinCoplanar()
-{
-  const double max_variances =
-      max_rms_share * max_rms_share * maxSigmas() * maxSigmas();
-  std::vector<std::uint32_t> joined (planes_.size());
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
-    joined[i] = static_cast<std::uint32_t> (i);
-    for (std::size_t larger = 0; larger < i; ++larger)
-      if (joined[larger] == larger &&
-          moments_[i].squaredDistances (planes_[larger]) <=
-              max_variances * static_cast<double> (moments_[i].points)) {
-        joined[i] = static_cast<std::uint32_t> (larger);
-        moments_[larger] += moments_[i];
-        moments_[i] = PlaneMoments{};
-        break;
-      }
-  }
-  for (std::uint32_t& label : labels_)
-    if (label != unlabelled)
-      label = joined[label];
-  keepPlanes (1);
-}
-
-void
-PlaneExtraction::refine (const OrganizedPoints& points, const OrganizedNormals& normals)
-{
-  const auto assign = [&] (PlaneAssignment::Preference preference) {
-    assignment_.assign (points,
-                        normals,
-                        use_,
-                        planes_,
-                        parameters_.noise,
-                        maxSigmas(),
-                        preference,
-                        labels_);
-    sumMoments (points, planes_.size(), Weights::inverse_variances);
-    keepPlanes (parameters_.min_inliers);
-  };
-  assign (PlaneAssignment::Preference::first);
-  joinCoplanar();
-  assign (PlaneAssignment::Preference::nearest);
-  sumMoments (points, planes_.size(), Weights::ones);
-}
-
-void
-PlaneExtraction::sumMoments (const OrganizedPoints& points,
-                             std::size_t planes,
-                             Weights weights)
-{
-  moments_.assign (planes, PlaneMoments{});
-  for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (labels_[i] == unlabelled)
-      continue;
-    const float* p = points[i];
-    double weight = 1.;
-    if (weights == Weights::inverse_variances) {
-      const double sigma =
-          parameters_.noise.sigma (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-      weight = 1. / (sigma * sigma);
+  for (const auto& component : components_.components()) {
+    const auto normal_cluster = static_cast<std::size_t> (
+        distance_clusters_
+            .normalClusters()[static_cast<std::size_t> (component.cluster)]);
+    switch (growth_.grow (
+        samples_, component, normal_clusters_.meanNormals()[normal_cluster])) {
+    case PlaneGrowth::Result::plane:
+      break;
+    case PlaneGrowth::Result::too_few_points:
+      ++rejections_.too_few_points;
+      break;
+    case PlaneGrowth::Result::curved:
+      ++rejections_.curved;
+      break;
+    case PlaneGrowth::Result::claimed_by_larger:
+      ++rejections_.claimed_by_larger;
+      break;
     }
-    moments_[labels_[i]].add (p, weight);
   }
 }
 
-/** Fits the planes that have enough points, orders them by size, and relabels the
- * points. */
 void
-PlaneExtraction::keepPlanes (std::size_t min_points)
+PlaneExtraction::joinParts()
 {
-  std::vector<std::size_t> order (moments_.size());
-  std::iota (order.begin(), order.end(), std::size_t{0});
-  order.erase (std::remove_if (order.begin(),
-                               order.end(),
-                               [&] (std::size_t k) {
-                                 return moments_[k].points <
-                                        std::max (min_points, std::size_t{3});
-                               }),
-               order.end());
-  std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
-    return moments_[a].points > moments_[b].points;
+  joining_.compute (growth_.moments());
+  planes_.clear();
+  for (const PlaneMoments& moments : joining_.planes())
+    planes_.push_back (planeOf (moments.inverseDistance()));
+  owners_ = growth_.owners();
+  for (std::int32_t& owner : owners_)
+    if (owner >= 0)
+      owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+}
+
+/** Drops planes with too few points, sorts the others, and fits them. */
+void
+PlaneExtraction::finish()
+{
+  const auto& sums = assignment_.moments();
+  order_.resize (sums.size());
+  std::iota (order_.begin(), order_.end(), 0u);
+  const std::size_t min_points = std::max<std::size_t> (parameters_.min_inliers, 3);
+  order_.erase (
+      std::remove_if (order_.begin(),
+                      order_.end(),
+                      [&] (std::uint32_t k) { return sums[k].points < min_points; }),
+      order_.end());
+  rejections_.too_few_points += sums.size() - order_.size();
+  std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {
+    return sums[a].points != sums[b].points ? sums[a].points > sums[b].points : a < b;
   });
 
-  std::vector<std::uint32_t> renumbered (moments_.size(), unlabelled);
-  std::vector<PlaneMoments> kept;
+  numbers_.assign (sums.size(), unlabelled);
   planes_.clear();
-  for (const std::size_t k : order) {
-    renumbered[k] = static_cast<std::uint32_t> (kept.size());
-    kept.push_back (moments_[k]);
-    planes_.push_back (moments_[k].fit());
+  moments_.clear();
+  parameter_covariances_.clear();
+  for (const std::uint32_t k : order_) {
+    numbers_[k] = static_cast<std::uint32_t> (moments_.size());
+    const PlaneMoments& weighted = assignment_.weightedMoments()[k];
+    const Eigen::Vector3d m = weighted.inverseDistance();
+    planes_.push_back (planeOf (m));
+    moments_.push_back (sums[k]);
+    parameter_covariances_.push_back (parameterCovariance (weighted, m));
   }
-  moments_ = std::move (kept);
-  for (std::uint32_t& label : labels_)
+  for (std::uint32_t& label : assignment_.labels())
     if (label != unlabelled)
-      label = renumbered[label];
-}
-
-float
-PlaneExtraction::maxSigmas() const
-{
-  return static_cast<float> (parameters_.distance_threshold) /
-         parameters_.noise.sigma (1.f);
+      label = numbers_[label];
 }
 
 } // namespace rgbd_planes

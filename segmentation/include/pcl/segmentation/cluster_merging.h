@@ -3,9 +3,9 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -26,19 +26,19 @@ class ClusterMerging {
 public:
   /** \brief Starts anew with these clusters, none merged. */
   void
-  reset (std::vector<Cluster>&& clusters)
+  reset (const std::vector<Cluster>& clusters)
   {
-    clusters_ = std::move (clusters);
+    clusters_ = clusters;
     parents_.resize (clusters_.size());
     std::iota (parents_.begin(), parents_.end(), std::size_t{0});
-    queue_ = {};
+    queue_.clear();
   }
 
   /** \brief Says that clusters \a a and \a b are neighbours, so that they may merge. */
   void
   addNeighbours (std::size_t a, std::size_t b)
   {
-    queue_.push ({0.f, a, b});
+    queue_.push_back ({0.f, a, b});
   }
 
   /** \brief Merges neighbours while the smallest of their distances is at most
@@ -49,9 +49,13 @@ public:
   void
   merge (float max_distance, const Distance& distance)
   {
+    for (Candidate& candidate : queue_)
+      candidate.distance = distance (clusters_[candidate.a], clusters_[candidate.b]);
+    std::make_heap (queue_.begin(), queue_.end());
     while (!queue_.empty()) {
-      Candidate candidate = queue_.top();
-      queue_.pop();
+      std::pop_heap (queue_.begin(), queue_.end());
+      const Candidate candidate = queue_.back();
+      queue_.pop_back();
       const std::size_t a = find (candidate.a), b = find (candidate.b);
       if (a == b)
         continue;
@@ -59,7 +63,8 @@ public:
       if (!(now <= max_distance))
         continue;
       if (now > candidate.distance) { // either was merged since: wait for its turn
-        queue_.push ({now, a, b});
+        queue_.push_back ({now, a, b});
+        std::push_heap (queue_.begin(), queue_.end());
         continue;
       }
       clusters_[a] += clusters_[b];
@@ -104,7 +109,7 @@ private:
 
   std::vector<Cluster> clusters_;
   std::vector<std::size_t> parents_;
-  std::priority_queue<Candidate> queue_;
+  std::vector<Candidate> queue_; // a heap while merging
 };
 
 } // namespace rgbd_planes

@@ -3,10 +3,9 @@
 
 #pragma once
 
-#include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/segmentation/cluster_merging.h>
 #include <pcl/segmentation/normal_space_clusters.h>
+#include <pcl/segmentation/plane_samples.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,25 +19,18 @@ namespace rgbd_planes {
  *
  * Each point of a normal cluster has a distance from the origin to the plane through it
  * with the mean normal of the cluster. The distances are collected in a logarithmic
- * histogram, whose neighbouring bins are merged while their mean distances differ by no
- * more than a threshold. A relative error of a measured range is the same relative
- * error of that distance: hence logarithms.
+ * histogram: a relative error of a measured range is the same relative error of that
+ * distance. Instead of merging bins up to a threshold, which the tilt of the mean normal
+ * of a large cluster defeats, the histogram is smoothed and cut at its minima, so that
+ * each of its peaks is a cluster.
  */
 class PCL_RGBD_PLANES_EXPORTS DistanceSpaceClusters {
 public:
-  /** \brief Width of a bin relative to its distance. */
-  static constexpr float bin_width = 0.01f;
-
-  /** \brief Splits the clusters.
-   * \param[in] relative_threshold largest difference between the mean distances of
-   * merged bins, relative to the distance
-   * \param[in] min_points clusters with fewer
-   * points are dropped
-   */
+  /** \brief Splits the clusters; the distances of clusters with fewer than \a min_points
+   * points are not looked at. */
   void
-  compute (const OrganizedPoints& points,
+  compute (const PlaneSamples& samples,
            const NormalSpaceClusters& normal_clusters,
-           float relative_threshold,
            std::size_t min_points);
 
   /** \brief The cluster of each point, or NormalSpaceClusters::none. */
@@ -48,40 +40,27 @@ public:
     return labels_;
   }
 
-  /** \brief The number of clusters. */
-  std::size_t
-  size () const
+  /** \brief The normal cluster that each cluster is part of. */
+  const std::vector<std::int32_t>&
+  normalClusters () const
   {
-    return clusters_;
+    return normal_clusters_;
   }
 
 private:
-  struct Bin {
-    double sum = 0; // of the logarithms of distances
-    std::size_t points = 0;
-
-    Bin&
-    operator+= (const Bin& other)
-    {
-      sum += other.sum;
-      points += other.points;
-      return *this;
-    }
-  };
-
   void
-  fillHistograms (const OrganizedPoints& points,
-                  const NormalSpaceClusters& normal_clusters);
+  splitAtMinima (std::size_t histogram, std::int32_t normal_cluster);
 
-  void
-  mergeBins (float relative_threshold, std::size_t min_points);
-
+  /** Which histogram a normal cluster has, or none, and its number of points. */
+  std::vector<std::int32_t> histogram_of_;
+  std::vector<std::size_t> points_;
   /** The histograms of all normal clusters, one after the other. */
-  std::vector<Bin> bins_;
+  std::vector<std::uint32_t> bins_;
+  /** The cluster of each bin. */
+  std::vector<std::int32_t> cluster_of_bin_;
   /** Bin of each point, then its cluster. */
   std::vector<std::int32_t> labels_;
-  ClusterMerging<Bin> merging_;
-  std::size_t clusters_ = 0;
+  std::vector<std::int32_t> normal_clusters_;
 };
 
 } // namespace rgbd_planes

@@ -3,10 +3,9 @@
 
 #pragma once
 
-#include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/cluster_merging.h>
-#include <pcl/segmentation/point_use.h>
+#include <pcl/segmentation/plane_samples.h>
 
 #include <Eigen/Core>
 
@@ -17,27 +16,29 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The grids of section 4.1 that collect normals: cubes in the space of their
+ * components, or cells of about the same size on the unit sphere, between circles of
+ * latitude theta and meridians phi. */
+enum class NormalSpaceGrid { voxels, spherical };
+
 /** \brief Points with similar normals: the first stage of the segmentation (Holz et al.
  * 2011, section 4.1).
  *
- * A voxel grid in normal space collects the points; neighbouring cells are merged while
- * their mean normals differ by no more than a threshold.
+ * A grid in normal space collects the points; neighbouring cells are merged while their
+ * mean normals differ by no more than a threshold, best merges first.
  */
 class PCL_RGBD_PLANES_EXPORTS NormalSpaceClusters {
 public:
   static constexpr std::int32_t none = -1;
 
-  /** \brief Clusters the points that are to be.
-   * \param[in] normals one for each point, of unit length
-   * \param[in] use bits of \ref PointUse for each point
+  /** \brief Clusters the points of \a samples that are to be.
    * \param[in] angular_threshold largest angle between the mean normals of merged
-   * clusters, in radians; the cells of the grid are half as wide, at least
-   * 0.03
+   * clusters, in radians; the cells of the grid are half as wide, at least 0.03
    * \param[in] min_cell_points cells with fewer points belong to no cluster
    */
   void
-  compute (const OrganizedNormals& normals,
-           const std::vector<std::uint8_t>& use,
+  compute (const PlaneSamples& samples,
+           NormalSpaceGrid grid,
            float angular_threshold,
            std::size_t min_cell_points);
 
@@ -57,8 +58,8 @@ public:
 
 private:
   struct Cell {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    std::size_t points = 0;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    std::uint32_t points = 0;
 
     Cell&
     operator+= (const Cell& other)
@@ -70,17 +71,38 @@ private:
   };
 
   void
-  fillGrid (const OrganizedNormals& normals,
-            const std::vector<std::uint8_t>& use,
-            float cell_size);
+  layOutSphere (float cell_size);
 
   void
-  mergeCells (float angular_threshold, std::size_t min_cell_points);
+  addNeighboursOfVoxels ();
+
+  void
+  addNeighboursOnSphere ();
+
+  /** \brief Fills the grid, \a cell_of (x, y, z) saying where a normal belongs. */
+  template <typename CellOf>
+  void
+  fillGrid (const PlaneSamples& samples, std::size_t cells, const CellOf& cell_of);
+
+  void
+  startMerging (std::size_t min_cell_points);
+
+  void
+  addNeighbours (std::size_t cell, std::size_t other);
+
+  void
+  finishMerging (float angular_threshold);
 
   int cells_per_axis_ = 0;
+  /** The first cell of each circle of latitude, and the end of the last one. */
+  std::vector<std::size_t> latitudes_;
   std::vector<Cell> grid_;
   /** Grid index of each point, then its cluster. */
   std::vector<std::int32_t> labels_;
+  /** The cluster of each cell of the grid. */
+  std::vector<std::int32_t> cluster_of_cell_;
+  std::vector<Cell> cells_;
+  std::vector<std::int32_t> numbers_;
   ClusterMerging<Cell> merging_;
   std::vector<Eigen::Vector3f> mean_normals_;
 };

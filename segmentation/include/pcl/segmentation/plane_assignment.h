@@ -7,7 +7,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/plane_moments.h>
-#include <pcl/segmentation/point_use.h>
+#include <pcl/segmentation/plane_samples.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,46 +20,68 @@ namespace rgbd_planes {
 /** \brief The label of points that lie on no plane. */
 constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief Gives each point one of the planes that are present around it in the image.
+/** \brief Gives each point the nearest one of the planes that are present around it in
+ * the image.
  *
- * A point lies on a plane when its distance is at most \a max_sigmas standard
- * deviations of depth at its range and, where its normal is trusted, the normals differ
- * by less than 35 degrees. A plane is present in a tile of 16 x 16 pixels, and so in
- * the eight tiles around it, when at least eight points of the tile carry its label.
+ * How near a plane is counts along the viewing ray, where depth errs, in standard
+ * deviations of depth; beyond \a max_sigmas it is too far. A plane is present in a tile
+ * of samples and in the eight around it when it owns at least four samples of the tile;
+ * it is out of the question for the pixels of a sample with a trusted normal that
+ * disagrees, and of one on a curved surface.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
-  /** \brief Which of several planes a point gets: the first one, or the nearest one in
-   * standard deviations. */
-  enum class Preference { first, nearest };
-
-  /** \brief Replaces \a labels, the plane of each point or \ref unlabelled.
-   * \param[in] use bits of \ref PointUse for each point
+  /** \brief Assigns all points.
+   * \param[in] selected not 0 for the points to look at; empty for all
+   * \param[in] owners the plane of each sample, PlaneGrowth::none or curved_surface
+   * \param[in] planes whose numbers the labels are
    */
   void
-  assign (const OrganizedPoints& points,
-          const OrganizedNormals& normals,
-          const std::vector<std::uint8_t>& use,
-          const std::vector<Plane>& planes,
-          const DepthNoise& noise,
-          float max_sigmas,
-          Preference preference,
-          std::vector<std::uint32_t>& labels);
+  compute (const OrganizedPoints& points,
+           const std::vector<std::uint8_t>& selected,
+           const PlaneSamples& samples,
+           const std::vector<std::int32_t>& owners,
+           const std::vector<Plane>& planes,
+           const DepthNoise& noise,
+           float max_sigmas);
+
+  /** \brief The plane of each point, or \ref unlabelled. */
+  std::vector<std::uint32_t>&
+  labels ()
+  {
+    return labels_;
+  }
+
+  const std::vector<std::uint32_t>&
+  labels () const
+  {
+    return labels_;
+  }
+
+  /** \brief Sums over the points of each plane, with weights of 1. */
+  const std::vector<PlaneMoments>&
+  moments () const
+  {
+    return moments_;
+  }
+
+  /** \brief The same, weighted as PlaneMoments says. */
+  const std::vector<PlaneMoments>&
+  weightedMoments () const
+  {
+    return weighted_moments_;
+  }
 
 private:
   void
-  findPresentPlanes (int width,
-                     int height,
-                     std::size_t planes,
-                     const std::vector<std::uint32_t>& labels);
+  findPresentPlanes (const PlaneSamples& samples,
+                     const std::vector<std::int32_t>& owners);
 
-  int tiles_u_ = 0;
-  int tiles_v_ = 0;
-  /** Points of each plane in each tile. */
-  std::vector<std::uint16_t> counts_;
-  /** The planes present around tile t: present_[present_begin_[t] ... [t + 1]). */
+  /** Planes with enough samples in each tile: present_[first_[t] ... first_[t + 1]). */
   std::vector<std::uint32_t> present_;
-  std::vector<std::size_t> present_begin_;
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> labels_;
+  std::vector<PlaneMoments> moments_, weighted_moments_;
 };
 
 } // namespace rgbd_planes

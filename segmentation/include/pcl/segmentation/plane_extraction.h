@@ -9,7 +9,13 @@
 #include <pcl/segmentation/distance_space_clusters.h>
 #include <pcl/segmentation/normal_space_clusters.h>
 #include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/plane_growth.h>
+#include <pcl/segmentation/plane_joining.h>
 #include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/sample_components.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +28,25 @@ struct PlaneExtractionParameters {
   /** Planes with fewer points are dropped. */
   unsigned min_inliers = 1000;
   /** Clusters whose mean normals differ by less are merged; radians. */
-  double angular_threshold = 0.15;
-  /** Largest distance of a point from its plane at a range of 1 m, in metres; elsewhere
-   * the same number of standard deviations of depth. */
-  double distance_threshold = 0.009;
-  /** Points with a larger curvature start no cluster, and those with more than a tenth
-   * of it may join a plane whatever their normal. */
-  float maximum_curvature = 0.02f;
+  double angular_threshold = 0.2;
+  /** Largest distance of a point from its plane, along the viewing ray, at a range of
+   * 1 m, in metres; elsewhere the same number of standard deviations of depth. */
+  double distance_threshold = 0.012;
+  /** Points with a larger curvature start no cluster, and may join a plane whatever
+   * their normal. */
+  float maximum_curvature = 0.03f;
+  NormalSpaceGrid grid = NormalSpaceGrid::voxels;
   DepthNoise noise;
+};
+
+/** \brief Why candidates did not become planes: how many in the last frame. */
+struct PlaneRejections {
+  /** The plane had too few points. */
+  std::size_t too_few_points = 0;
+  /** The normals turn with the place: a part of a curved surface. */
+  std::size_t curved = 0;
+  /** Planes that were found before had taken the points. */
+  std::size_t claimed_by_larger = 0;
 };
 
 /** \brief Run time of each stage, in seconds. */
@@ -42,18 +59,18 @@ struct PlaneStageTimes {
 /** \brief All planes of an organized cloud: clusters in normal space, split in distance
  * space (Holz et al. 2011, section 4), then refined.
  *
- * The refinement fits a plane to each cluster, weighting points by the inverse variance
- * of their depth; joins clusters that lie on the plane of a larger one; lets the planes
- * claim their points, largest first, which takes the points from clusters that are no
- * plane of their own, such as in-between normals along creases; fits again, and gives
- * every point the nearest of the planes left around it.
+ * Clusters are found on PlaneSamples. The refinement grows planes from their connected
+ * parts, largest first (PlaneGrowth), and joins parts of the same plane (PlaneJoining);
+ * what no plane took is clustered once more. Then each point of the image gets the
+ * nearest one of the planes around it (PlaneAssignment), and planes are fitted to their
+ * points.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneExtraction {
 public:
   /** \brief Finds the planes.
    * \param[in] points in a frame whose origin is the sensor
    * \param[in] normals one for each point
-   * \param[in] selected not 0 for the points to look at; one entry for each point
+   * \param[in] selected not 0 for the points to look at; empty for all
    */
   void
   compute (const OrganizedPoints& points,
@@ -75,11 +92,25 @@ public:
     return moments_;
   }
 
+  /** \brief The covariance of the coefficients (a, b, c, d) of each plane, to first
+   * order, if the errors of its points are independent and as the noise model says. */
+  const std::vector<Eigen::Matrix4d>&
+  parameterCovariances () const
+  {
+    return parameter_covariances_;
+  }
+
   /** \brief The plane of each point, or \ref unlabelled. */
   const std::vector<std::uint32_t>&
   labels () const
   {
-    return labels_;
+    return assignment_.labels();
+  }
+
+  const PlaneRejections&
+  rejections () const
+  {
+    return rejections_;
   }
 
   const PlaneStageTimes&
@@ -90,38 +121,31 @@ public:
 
 private:
   void
-  markUse (const OrganizedPoints& points,
-           const OrganizedNormals& normals,
-           const std::vector<std::uint8_t>& selected);
+  findParts ();
 
   void
-  fitCandidates (const OrganizedPoints& points);
+  growParts ();
 
   void
-  joinCoplanar ();
+  joinParts ();
 
   void
-  refine (const OrganizedPoints& points, const OrganizedNormals& normals);
-
-  enum class Weights { ones, inverse_variances };
-
-  void
-  sumMoments (const OrganizedPoints& points, std::size_t planes, Weights weights);
-
-  void
-  keepPlanes (std::size_t min_points);
-
-  float
-  maxSigmas () const;
+  finish ();
 
   PlaneExtractionParameters parameters_;
-  std::vector<std::uint8_t> use_;
+  PlaneSamples samples_;
   NormalSpaceClusters normal_clusters_;
   DistanceSpaceClusters distance_clusters_;
+  SampleComponents components_;
+  PlaneGrowth growth_;
+  PlaneJoining joining_;
   PlaneAssignment assignment_;
+  std::vector<std::int32_t> owners_;
   std::vector<Plane> planes_;
   std::vector<PlaneMoments> moments_;
-  std::vector<std::uint32_t> labels_;
+  std::vector<Eigen::Matrix4d> parameter_covariances_;
+  std::vector<std::uint32_t> order_, numbers_;
+  PlaneRejections rejections_;
   PlaneStageTimes times_;
 };
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/sample_components.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Grows planes from connected parts of clusters, one after the other: a plane is
+ * fitted to the points of a part, claims the free points on it that hang together with
+ * the part in the image, and is fitted to these, until it claims the same ones.
+ *
+ * So the first, largest parts take the points from clusters that are no planes of their
+ * own, such as in-between normals along creases. Parts of curved surfaces show in their
+ * normals, which turn with the place on the part, and become no plane.
+ */
+class PCL_RGBD_PLANES_EXPORTS PlaneGrowth {
+public:
+  enum class Result { plane, too_few_points, curved, claimed_by_larger };
+
+  static constexpr std::int32_t none = -1, curved_surface = -2;
+
+  /** \brief Starts with all samples free.
+   * \param[in] min_points a plane has at least as many samples
+   * \param[in] max_sigmas how far from it, in standard deviations of depth
+   */
+  void
+  reset (const PlaneSamples& samples, double min_points, float max_sigmas);
+
+  /** \brief Grows a plane from \a seed, whose normals have the mean \a mean_normal. Its
+   * points are no longer free. */
+  Result
+  grow (PlaneSamples& samples,
+        const SampleComponents::Component& seed,
+        const Eigen::Vector3f& mean_normal);
+
+  /** \brief The planes found so far, with the moments of their samples. */
+  const std::vector<PlaneMoments>&
+  moments () const
+  {
+    return moments_;
+  }
+
+  /** \brief The plane that each sample belongs to, \ref none or \ref curved_surface. */
+  const std::vector<std::int32_t>&
+  owners () const
+  {
+    return owners_;
+  }
+
+private:
+  PlaneMoments
+  fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
+
+  bool
+  claimUntilStable (const PlaneSamples& samples, Plane plane);
+
+  void
+  keepTilesAround ();
+
+  bool
+  isCurved (const PlaneSamples& samples, const Plane& plane) const;
+
+  void
+  take (PlaneSamples& samples, std::int32_t owner);
+
+  PlaneMoments
+  sumOver (const PlaneSamples& samples, std::size_t number) const;
+
+  double min_points_ = 0.;
+  float max_sigmas_ = 0.f;
+  int tiles_u_ = 0, tiles_v_ = 0;
+  /** Tiles with free samples, and their numbers. */
+  std::vector<std::uint32_t> active_;
+  std::vector<std::uint8_t> free_;
+  /** Of the plane that grows: weights of the samples on it, 0 for others, their number
+   * in each tile, the tiles of its seed, and those that it may have. */
+  std::vector<float> claimed_;
+  std::vector<std::uint8_t> counts_;
+  std::vector<std::uint8_t> connected_, near_;
+  std::vector<std::uint32_t> seed_tiles_, stack_, tiles_;
+  Eigen::Vector3d reference_ = Eigen::Vector3d::Zero();
+  Plane plane_;
+  PlaneMoments sums_;
+  std::vector<PlaneMoments> moments_;
+  std::vector<std::int32_t> owners_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

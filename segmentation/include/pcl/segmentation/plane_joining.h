@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/plane_moments.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Joins parts that lie on one plane: its unconnected parts (Holz et al. 2011,
+ * section 4.1), and those that were grown apart.
+ *
+ * One plane must explain the points of two parts almost as well as one for each, and the
+ * plane of the larger part must not miss the smaller one. A part joins the one larger
+ * than itself that it fits best.
+ */
+class PCL_RGBD_PLANES_EXPORTS PlaneJoining {
+public:
+  /** \brief Joins \a parts. */
+  void
+  compute (const std::vector<PlaneMoments>& parts);
+
+  /** \brief The planes. */
+  const std::vector<PlaneMoments>&
+  planes () const
+  {
+    return planes_;
+  }
+
+  /** \brief The plane that a part belongs to. */
+  const std::vector<std::int32_t>&
+  planeOfPart () const
+  {
+    return plane_of_part_;
+  }
+
+private:
+  std::vector<std::size_t> order_;
+  std::vector<PlaneMoments> planes_;
+  std::vector<std::int32_t> plane_of_part_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

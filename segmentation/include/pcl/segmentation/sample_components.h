@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/plane_samples.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The parts of clusters that hang together in the image, largest first. */
+class PCL_RGBD_PLANES_EXPORTS SampleComponents {
+public:
+  /** \brief The samples of a component. */
+  struct Component {
+    const std::uint32_t* begin;
+    const std::uint32_t* end;
+    std::int32_t cluster;
+
+    std::size_t
+    size () const
+    {
+      return static_cast<std::size_t> (end - begin);
+    }
+  };
+
+  /** \brief Finds components of at least \a min_points samples, each touching the next
+   * along a side or a corner.
+   * \param[in] clusters the cluster of each sample, negative for none
+   */
+  void
+  compute (const PlaneSamples& samples,
+           const std::vector<std::int32_t>& clusters,
+           std::size_t min_points);
+
+  const std::vector<Component>&
+  components () const
+  {
+    return components_;
+  }
+
+private:
+  std::uint32_t
+  find (std::uint32_t sample);
+
+  void
+  join (const PlaneSamples& samples, const std::vector<std::int32_t>& clusters);
+
+  /** Another sample of the same component; itself for the first one. */
+  std::vector<std::uint32_t> parents_;
+  /** The number of samples of a component at its first one, then where they are. */
+  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> members_;
+  std::vector<Component> components_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

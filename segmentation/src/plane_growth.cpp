@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_kernels.h"
+
+#include <pcl/segmentation/plane_growth.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr int max_iterations = 4;
+/** The claimed points no longer change when their number changes by less. */
+constexpr double stable_share = 0.02;
+/** Shares of the points of a plane that its seed, its claim on the way, and its last
+ * claim need: parts of a plane, to be joined, may be smaller. */
+constexpr double min_seed_share = 0.15, min_claim_share = 0.2, min_part_share = 0.4;
+/** A tile belongs to a plane with so many samples. */
+constexpr std::uint8_t min_tile_points = 3;
+/** A seed whose plane is tilted by more against its mean normal gets that. */
+constexpr float min_start_cosine = 0.8f;
+/** Normals of a plane turn, from one side to the other, by less than this root mean
+ * square, in radians at the sensor and for each metre of range; and by less than this
+ * per metre on the surface. */
+constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 6.;
+
+PlaneEquation
+equationOf (const Plane& plane)
+{
+  return {plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
+}
+
+/** Calls \a body (tile) for the tiles that touch \a tile, and for itself. */
+template <typename Body>
+void
+forEachAround (std::uint32_t tile, int tiles_u, int tiles_v, const Body& body)
+{
+  const int u = static_cast<int> (tile) % tiles_u,
+            v = static_cast<int> (tile) / tiles_u;
+  for (int y = std::max (v - 1, 0); y <= std::min (v + 1, tiles_v - 1); ++y)
+    for (int x = std::max (u - 1, 0); x <= std::min (u + 1, tiles_u - 1); ++x)
+      body (static_cast<std::uint32_t> (y * tiles_u + x));
+}
+
+} // namespace
+
+void
+PlaneGrowth::reset (const PlaneSamples& samples, double min_points, float max_sigmas)
+{
+  min_points_ = min_points;
+  max_sigmas_ = max_sigmas;
+  tiles_u_ = samples.tiles_u;
+  tiles_v_ = samples.tiles_v;
+  moments_.clear();
+  owners_.assign (samples.size(), none);
+  claimed_.assign (samples.size(), 0.f);
+  const std::size_t tiles = samples.size() / PlaneSamples::tile_size;
+  counts_.assign (tiles, 0);
+  free_.assign (tiles, 0);
+  connected_.assign (tiles, 0);
+  near_.assign (tiles, 0);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    free_[i / PlaneSamples::tile_size] = static_cast<std::uint8_t> (
+        free_[i / PlaneSamples::tile_size] + samples.isFree (i));
+  active_.clear();
+  for (std::uint32_t tile = 0; tile < tiles; ++tile)
+    if (free_[tile] > 0)
+      active_.push_back (tile);
+}
+
+PlaneGrowth::Result
+PlaneGrowth::grow (PlaneSamples& samples,
+                   const SampleComponents::Component& seed,
+                   const Eigen::Vector3f& mean_normal)
+{
+  const PlaneMoments moments = fitSeed (samples, seed);
+  if (static_cast<double> (moments.points) <
+      std::max (3., min_seed_share * min_points_))
+    return Result::claimed_by_larger;
+  Plane plane = planeOf (moments.inverseDistance());
+  if (!(std::abs (plane.normal.dot (mean_normal)) >= min_start_cosine)) {
+    const float d = -mean_normal.dot (moments.mean().cast<float>());
+    plane = {d < 0.f ? Eigen::Vector3f (-mean_normal) : mean_normal, std::abs (d)};
+  }
+  if (!claimUntilStable (samples, plane))
+    return Result::too_few_points;
+  if (isCurved (samples, plane_)) {
+    take (samples, curved_surface);
+    return Result::curved;
+  }
+  if (static_cast<double> (sums_.points) < min_part_share * min_points_)
+    return Result::too_few_points;
+  take (samples, static_cast<std::int32_t> (moments_.size()));
+  moments_.push_back (sums_);
+  return Result::plane;
+}
+
+PlaneMoments
+PlaneGrowth::fitSeed (const PlaneSamples& samples,
+                      const SampleComponents::Component& seed)
+{
+  PlaneMoments moments;
+  seed_tiles_.clear();
+  for (const std::uint32_t* i = seed.begin; i != seed.end; ++i) {
+    if (!samples.isFree (*i))
+      continue;
+    const float p[] = {samples.x[*i], samples.y[*i], samples.z[*i]};
+    moments.add (p, samples.weight[*i]);
+    const auto tile = static_cast<std::uint32_t> (*i / PlaneSamples::tile_size);
+    if (seed_tiles_.empty() || seed_tiles_.back() != tile)
+      seed_tiles_.push_back (tile);
+  }
+  if (moments.points > 0)
+    reference_ = moments.mean().cast<float>().cast<double>();
+  return moments;
+}
+
+/** Leaves the plane, its claims, and their sums. */
+bool
+PlaneGrowth::claimUntilStable (const PlaneSamples& samples, Plane plane)
+{
+  const double min_claim = std::max (3., min_claim_share * min_points_);
+  double before = 0.;
+  for (int i = 0;; ++i) {
+    plane_ = plane;
+    if (!plane.normal.allFinite() || !std::isfinite (plane.d))
+      return false;
+    claimSamples (samples,
+                  active_,
+                  equationOf (plane),
+                  max_sigmas_,
+                  claimed_.data(),
+                  counts_.data());
+    keepTilesAround();
+    std::size_t number = 0;
+    for (const std::uint32_t tile : tiles_)
+      number += counts_[tile];
+    const auto now = static_cast<double> (number);
+    if (now < min_claim)
+      return false;
+    sums_ = sumOver (samples, number);
+    if (i == max_iterations ||
+        (i > 0 && std::abs (now - before) < stable_share * before))
+      return true;
+    before = now;
+    plane = planeOf (sums_.inverseDistance());
+  }
+}
+
+/** Collects the tiles of the plane that hang together with those of its seed, and the
+ * tiles around them. */
+void
+PlaneGrowth::keepTilesAround()
+{
+  stack_.clear();
+  tiles_.clear();
+  const auto connect = [&] (std::uint32_t tile) {
+    if (connected_[tile] || counts_[tile] < min_tile_points)
+      return;
+    connected_[tile] = 1;
+    stack_.push_back (tile);
+  };
+  for (const std::uint32_t tile : seed_tiles_)
+    connect (tile);
+  for (std::size_t k = 0; k < stack_.size(); ++k)
+    forEachAround (stack_[k], tiles_u_, tiles_v_, [&] (std::uint32_t tile) {
+      connect (tile);
+      if (!near_[tile] && counts_[tile] > 0) {
+        near_[tile] = 1;
+        tiles_.push_back (tile);
+      }
+    });
+  for (const std::uint32_t tile : stack_)
+    connected_[tile] = 0;
+  for (const std::uint32_t tile : tiles_)
+    near_[tile] = 0;
+}
+
+PlaneMoments
+PlaneGrowth::sumOver (const PlaneSamples& samples, std::size_t number) const
+{
+  double sums[10];
+  sumSamples (samples,
+              tiles_,
+              claimed_.data(),
+              {reference_[0], reference_[1], reference_[2]},
+              sums);
+  PlaneMoments moments;
+  moments.add (sums, reference_, number);
+  return moments;
+}
+
+/** Fits the normals, seen along two directions in the plane, as linear functions of the
+ * place in these directions. */
+bool
+PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
+{
+  double sums[22];
+  sumNormals (samples,
+              tiles_,
+              claimed_.data(),
+              {reference_[0], reference_[1], reference_[2]},
+              sums);
+  const double weight = sums[0];
+  if (!(weight > 0.))
+    return false;
+  const Eigen::Vector3d place = Eigen::Vector3d (sums[1], sums[2], sums[3]) / weight;
+  const Eigen::Vector3d normal =
+      Eigen::Vector3d (sums[10], sums[11], sums[12]) / weight;
+  Eigen::Matrix3d places, normals;
+  places << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8],
+      sums[9];
+  normals << sums[13], sums[14], sums[15], sums[16], sums[17], sums[18], sums[19],
+      sums[20], sums[21];
+  const Eigen::Vector3d n = plane.normal.cast<double>();
+  Eigen::Matrix<double, 2, 3> directions;
+  directions.row (0) = n.unitOrthogonal();
+  directions.row (1) = n.cross (n.unitOrthogonal());
+  const Eigen::Matrix2d spread = directions *
+                                 (places / weight - place * place.transpose()) *
+                                 directions.transpose();
+  const Eigen::Matrix2d turning = directions *
+                                  (normals / weight - normal * place.transpose()) *
+                                  directions.transpose();
+  const Eigen::Matrix2d bend =
+      turning * (spread + 1e-9 * Eigen::Matrix2d::Identity()).inverse();
+  const double turn = std::sqrt ((bend * spread * bend.transpose()).trace());
+  return turn > max_turn + max_turn_per_metre * reference_.norm() ||
+         bend.norm() > max_bend;
+}
+
+void
+PlaneGrowth::take (PlaneSamples& samples, std::int32_t owner)
+{
+  for (const std::uint32_t tile : tiles_) {
+    const std::size_t begin = tile * PlaneSamples::tile_size;
+    for (std::size_t i = begin; i < begin + PlaneSamples::tile_size; ++i)
+      if (claimed_[i] > 0.f) {
+        owners_[i] = owner;
+        samples.sigma[i] = samples.relative_sigma[i] = -1.f;
+      }
+    free_[tile] = static_cast<std::uint8_t> (free_[tile] - counts_[tile]);
+  }
+  active_.erase (std::remove_if (active_.begin(),
+                                 active_.end(),
+                                 [this] (std::uint32_t tile) {
+                                   if (free_[tile] == 0)
+                                     counts_[tile] = 0;
+                                   return free_[tile] == 0;
+                                 }),
+                 active_.end());
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+// Vectors of points, for the files that are compiled once for each set of instructions.
+
+#if defined(PCL_RGBD_PLANES_PLANE_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PCL_RGBD_PLANES_PLANE_VECTORS_INL_H
+#undef PCL_RGBD_PLANES_PLANE_VECTORS_INL_H
+#else
+#define PCL_RGBD_PLANES_PLANE_VECTORS_INL_H
+#endif
+
+#include "plane_kernels.h"
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace rgbd_planes {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, PlaneSamples::tile_size>;
+using V = hn::Vec<Floats>;
+using Mask = hn::Mask<Floats>;
+
+HWY_INLINE V
+set (float value)
+{
+  return hn::Set (Floats(), value);
+}
+
+HWY_INLINE V
+load (const float* from)
+{
+  return hn::LoadU (Floats(), from);
+}
+
+struct Points {
+  V x, y, z;
+};
+
+HWY_INLINE V
+dot (const PlaneEquation& plane, const Points& p)
+{
+  return hn::MulAdd (set (plane.x),
+                     p.x,
+                     hn::MulAdd (set (plane.y), p.y, hn::Mul (set (plane.z), p.z)));
+}
+
+/** Weighted sums of points, of their coordinates and products. */
+struct Sums {
+  V values[10];
+
+  Sums()
+  {
+    for (V& value : values)
+      value = hn::Zero (Floats());
+  }
+
+  HWY_INLINE void
+  add (const Points& p, V weight)
+  {
+    const V x = hn::Mul (weight, p.x), y = hn::Mul (weight, p.y),
+            z = hn::Mul (weight, p.z);
+    values[0] = hn::Add (values[0], weight);
+    values[1] = hn::Add (values[1], x);
+    values[2] = hn::Add (values[2], y);
+    values[3] = hn::Add (values[3], z);
+    values[4] = hn::MulAdd (x, p.x, values[4]);
+    values[5] = hn::MulAdd (x, p.y, values[5]);
+    values[6] = hn::MulAdd (x, p.z, values[6]);
+    values[7] = hn::MulAdd (y, p.y, values[7]);
+    values[8] = hn::MulAdd (y, p.z, values[8]);
+    values[9] = hn::MulAdd (z, p.z, values[9]);
+  }
+};
+
+HWY_INLINE double
+total (V value)
+{
+  return hn::GetLane (hn::SumOfLanes (Floats(), value));
+}
+
+HWY_INLINE void
+totals (const Sums& sums, double* results)
+{
+  for (std::size_t k = 0; k < 10; ++k)
+    results[k] = total (sums.values[k]);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace rgbd_planes
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#endif
