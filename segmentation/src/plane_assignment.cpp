@@ -7,7 +7,6 @@
 #include <pcl/segmentation/plane_growth.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -15,14 +14,8 @@ namespace rgbd_planes {
 
 namespace {
 
-constexpr std::uint32_t min_samples_in_tile = 4;
-constexpr std::uint32_t max_planes_in_tile =
-    PlaneSamples::tile_size / min_samples_in_tile;
 /** Normals at creases may be off by 35 degrees, where their estimator averages over them. */
 constexpr float max_min_cosine = 0.82f;
-/** The planes of a tile and of the eight around it. */
-using PlanesAround = std::array<TilePlane, 9 * max_planes_in_tile>;
-
 /** The samples of the tile that begins with sample \a begin whose normals agree. */
 std::uint16_t
 compatibleSamples (const PlaneSamples& samples,
@@ -30,7 +23,7 @@ compatibleSamples (const PlaneSamples& samples,
                    std::size_t begin,
                    const Plane& plane)
 {
-  unsigned bits = 0;
+  unsigned bits = 0, curved = 0;
   for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k) {
     const std::size_t i = begin + k;
     const float cosine = std::abs (samples.normal_x[i] * plane.normal[0] +
@@ -40,7 +33,11 @@ compatibleSamples (const PlaneSamples& samples,
                         cosine >= std::min (samples.min_cosine[i], max_min_cosine);
     bits |= static_cast<unsigned> (agrees) << k;
   }
-  return static_cast<std::uint16_t> (bits);
+  // A crease may run between a sample and its pixels.
+  constexpr unsigned not_last = 0x7777, not_first = 0xeeee;
+  bits |= (bits & not_last) << 1 | (bits & not_first) >> 1;
+  bits |= bits << PlaneSamples::tile_side | bits >> PlaneSamples::tile_side;
+  return static_cast<std::uint16_t> (bits & ~curved);
 }
 
 void
@@ -113,6 +110,40 @@ PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
   first_.push_back (present_.size());
 }
 
+/** The planes of the tile and of the eight around it. */
+std::size_t
+PlaneAssignment::findPlanesAround (const PlaneSamples& samples,
+                                   const std::vector<std::int32_t>& owners,
+                                   const std::vector<Plane>& planes,
+                                   int tile_u,
+                                   int tile_v,
+                                   TilePlane* around) const
+{
+  const auto begin = static_cast<std::size_t> (tile_v * samples.tiles_u + tile_u) *
+                     PlaneSamples::tile_size;
+  std::size_t number = 0;
+  const int last_v = std::min (tile_v + 1, samples.tiles_v - 1);
+  const int last_u = std::min (tile_u + 1, samples.tiles_u - 1);
+  for (int v = std::max (tile_v - 1, 0); v <= last_v; ++v)
+    for (int u = std::max (tile_u - 1, 0); u <= last_u; ++u) {
+      const auto tile = static_cast<std::size_t> (v * samples.tiles_u + u);
+      for (std::size_t k = first_[tile]; k < first_[tile + 1]; ++k) {
+        const std::uint32_t id = present_[k];
+        const auto is_known = [id] (const TilePlane& plane) {
+          return plane.number == id;
+        };
+        if (std::any_of (around, around + number, is_known))
+          continue;
+        const Plane& plane = planes[id];
+        around[number++] = {
+            id,
+            {plane.normal[0], plane.normal[1], plane.normal[2], plane.d},
+            compatibleSamples (samples, owners, begin, plane)};
+      }
+    }
+  return number;
+}
+
 void
 PlaneAssignment::compute (const OrganizedPoints& points,
                           const std::vector<std::uint8_t>& selected,
@@ -120,62 +151,44 @@ PlaneAssignment::compute (const OrganizedPoints& points,
                           const std::vector<std::int32_t>& owners,
                           const std::vector<Plane>& planes,
                           const DepthNoise& noise,
-                          float max_sigmas)
+                          float max_sigmas,
+                          Pixels which)
 {
   findPresentPlanes (samples, owners);
   labels_.resize (points.size());
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
-  const int side = PlaneSamples::tile_side * samples.step;
+  const int every = which == Pixels::all ? 1 : samples.step;
+  const int width = (points.width - every / 2 + every - 1) / every;
+  const int height = (points.height - every / 2 + every - 1) / every;
+  const int side = PlaneSamples::tile_side * samples.step / every;
+  const auto image_width = static_cast<std::size_t> (points.width);
   for (int tile_v = 0; tile_v < samples.tiles_v; ++tile_v)
     for (int tile_u = 0; tile_u < samples.tiles_u; ++tile_u) {
-      const auto tile = static_cast<std::size_t> (tile_v * samples.tiles_u + tile_u);
-      const auto first = static_cast<std::size_t> (tile_v * side) *
-                             static_cast<std::size_t> (points.width) +
-                         static_cast<std::size_t> (tile_u * side);
+      const auto row = static_cast<std::size_t> (tile_v * side);
+      const auto column = static_cast<std::size_t> (tile_u * side);
+      const auto begin = static_cast<std::size_t> (every / 2) * (image_width + 1);
+      const std::size_t first = row * image_width + column;
       TilePixels pixels;
-      pixels.first = points[first];
-      pixels.stride = points.stride;
-      pixels.image_width = static_cast<std::size_t> (points.width);
-      pixels.width = std::min (side, points.width - tile_u * side);
-      pixels.height = std::min (side, points.height - tile_v * side);
-      pixels.step = samples.step;
+      pixels.first = points[begin + first * static_cast<std::size_t> (every)];
+      pixels.stride = points.stride * static_cast<std::size_t> (every);
+      pixels.image_width = image_width;
+      pixels.width = std::min (side, width - tile_u * side);
+      pixels.height = std::min (side, height - tile_v * side);
+      pixels.step = samples.step / every;
+      if (pixels.width <= 0 || pixels.height <= 0)
+        continue;
 
-      PlanesAround around;
-      std::size_t number = 0;
-      for (int v = std::max (tile_v - 1, 0);
-           v <= std::min (tile_v + 1, samples.tiles_v - 1);
-           ++v)
-        for (int u = std::max (tile_u - 1, 0);
-             u <= std::min (tile_u + 1, samples.tiles_u - 1);
-             ++u) {
-          const auto other = static_cast<std::size_t> (v * samples.tiles_u + u);
-          for (std::size_t k = first_[other]; k < first_[other + 1]; ++k) {
-            const std::uint32_t id = present_[k];
-            if (std::any_of (&around[0], &around[number], [id] (const TilePlane& p) {
-                  return p.number == id;
-                }))
-              continue;
-            const Plane& plane = planes[id];
-            around[number++] = {
-                id,
-                {plane.normal[0], plane.normal[1], plane.normal[2], plane.d},
-                compatibleSamples (
-                    samples, owners, tile * PlaneSamples::tile_size, plane)};
-          }
-        }
+      TilePlane around[max_planes_around];
+      const std::size_t number =
+          findPlanesAround (samples, owners, planes, tile_u, tile_v, around);
       if (number == 0) {
         fillLabels (pixels, &labels_[first]);
         continue;
       }
-      assignPixels (pixels,
-                    around.data(),
-                    number,
-                    noise,
-                    max_sigmas,
-                    unlabelled,
-                    &labels_[first]);
-      if (!selected.empty())
+      assignPixels (
+          pixels, around, number, noise, max_sigmas, unlabelled, &labels_[first]);
+      if (!selected.empty() && which == Pixels::all)
         maskUnselected (pixels, &selected[first], &labels_[first]);
       for (std::size_t k = 0; k < number; ++k) {
         const std::uint32_t id = around[k].number;

@@ -45,16 +45,20 @@ PlaneExtraction::compute (const OrganizedPoints& points,
       points, normals, selected, parameters.noise, parameters.maximum_curvature);
   times_.normal_space = secondsSince (start);
 
-  const float max_sigmas =
+  max_sigmas_ =
       static_cast<float> (parameters.distance_threshold) / parameters.noise.sigma (1.f);
   const double min_samples =
       static_cast<double> (parameters.min_inliers) / (samples_.step * samples_.step);
-  growth_.reset (samples_, min_samples, max_sigmas);
+  growth_.reset (samples_, min_samples, max_sigmas_);
   findParts();
   start = std::chrono::steady_clock::now();
   joinParts();
-  assignment_.compute (
-      points, selected, samples_, owners_, planes_, parameters.noise, max_sigmas);
+  // Samples near a crease may lie nearer to the plane on its other side.
+  assign (points, selected, PlaneAssignment::Pixels::samples);
+  for (std::size_t k = 0; k < planes_.size(); ++k)
+    if (assignment_.moments()[k].points > 3)
+      planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
+  assign (points, selected, PlaneAssignment::Pixels::all);
   finish();
   times_.refinement += secondsSince (start);
 }
@@ -118,6 +122,21 @@ PlaneExtraction::joinParts()
   for (std::int32_t& owner : owners_)
     if (owner >= 0)
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+}
+
+void
+PlaneExtraction::assign (const OrganizedPoints& points,
+                         const std::vector<std::uint8_t>& selected,
+                         PlaneAssignment::Pixels which)
+{
+  assignment_.compute (points,
+                       selected,
+                       samples_,
+                       owners_,
+                       planes_,
+                       parameters_.noise,
+                       max_sigmas_,
+                       which);
 }
 
 /** Drops planes with too few points, sorts the others, and fits them. */

@@ -17,6 +17,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
+struct TilePlane;
+
 /** \brief The label of points that lie on no plane. */
 constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
 
@@ -31,7 +33,10 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
-  /** \brief Assigns all points.
+  /** \brief Which points to assign: all, or those that are samples. */
+  enum class Pixels { all, samples };
+
+  /** \brief Assigns points.
    * \param[in] selected not 0 for the points to look at; empty for all
    * \param[in] owners the plane of each sample, PlaneGrowth::none or curved_surface
    * \param[in] planes whose numbers the labels are
@@ -43,9 +48,10 @@ public:
            const std::vector<std::int32_t>& owners,
            const std::vector<Plane>& planes,
            const DepthNoise& noise,
-           float max_sigmas);
+           float max_sigmas,
+           Pixels which);
 
-  /** \brief The plane of each point, or \ref unlabelled. */
+  /** \brief After all points were assigned, the plane of each point, or \ref unlabelled. */
   std::vector<std::uint32_t>&
   labels ()
   {
@@ -73,6 +79,19 @@ public:
   }
 
 private:
+  static constexpr std::size_t min_samples_in_tile = 4;
+  /** How many a tile and the eight around it can have. */
+  static constexpr std::size_t max_planes_around =
+      9 * PlaneSamples::tile_size / min_samples_in_tile;
+
+  std::size_t
+  findPlanesAround (const PlaneSamples& samples,
+                    const std::vector<std::int32_t>& owners,
+                    const std::vector<Plane>& planes,
+                    int tile_u,
+                    int tile_v,
+                    TilePlane* around) const;
+
   void
   findPresentPlanes (const PlaneSamples& samples,
                      const std::vector<std::int32_t>& owners);

@@ -130,9 +130,15 @@ private:
   joinParts ();
 
   void
+  assign (const OrganizedPoints& points,
+          const std::vector<std::uint8_t>& selected,
+          PlaneAssignment::Pixels which);
+
+  void
   finish ();
 
   PlaneExtractionParameters parameters_;
+  float max_sigmas_ = 0.f;
   PlaneSamples samples_;
   NormalSpaceClusters normal_clusters_;
   DistanceSpaceClusters distance_clusters_;
