@@ -29,9 +29,10 @@ compatibleSamples (const PlaneSamples& samples,
     const float cosine = std::abs (samples.normal_x[i] * plane.normal[0] +
                                    samples.normal_y[i] * plane.normal[1] +
                                    samples.normal_z[i] * plane.normal[2]);
-    const bool agrees = owners[i] != PlaneGrowth::curved_surface &&
-                        cosine >= std::min (samples.min_cosine[i], max_min_cosine);
+    const bool agrees = cosine >= std::min (samples.min_cosine[i], max_min_cosine);
     bits |= static_cast<unsigned> (agrees) << k;
+    const bool is_curved = owners[i] == PlaneGrowth::curved_surface;
+    curved |= static_cast<unsigned> (is_curved) << k;
   }
   // A crease may run between a sample and its pixels.
   constexpr unsigned not_last = 0x7777, not_first = 0xeeee;
