@@ -59,6 +59,7 @@ PlaneExtraction::compute (const OrganizedPoints& points,
 
   fitCandidates (points);
   refine (points, normals);
+  parameter_covariances_.assign (planes_.size(), Eigen::Matrix4d::Zero());
   times_.refinement = secondsSince (start);
 }
 
@@ -71,7 +72,7 @@ PlaneExtraction::markUse (const OrganizedPoints& points,
   for (std::size_t i = 0; i < use_.size(); ++i) {
     const float* p = points[i];
     // Points so far away that their squared range overflows are no measurements either.
-    if (!selected[i] || !isMeasured (p) ||
+    if ((!selected.empty() && !selected[i]) || !isMeasured (p) ||
         !std::isfinite (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]))
       continue;
     use_[i] = measured;

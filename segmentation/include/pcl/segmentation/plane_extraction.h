@@ -18,6 +18,9 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief Which grid of section 4.1 collects the normals. */
+enum class NormalSpaceGrid { voxels, spherical };
+
 struct PlaneExtractionParameters {
   /** Planes with fewer points are dropped. */
   unsigned min_inliers = 1000;
@@ -29,7 +32,15 @@ struct PlaneExtractionParameters {
   /** Points with a larger curvature start no cluster, and those with more than a tenth
    * of it may join a plane whatever their normal. */
   float maximum_curvature = 0.02f;
+  NormalSpaceGrid grid = NormalSpaceGrid::voxels;
   DepthNoise noise;
+};
+
+/** \brief Why candidates did not become planes: numbers of the last frame. */
+struct PlaneRejections {
+  std::size_t too_few_points = 0;
+  std::size_t curved = 0;
+  std::size_t claimed_by_larger = 0;
 };
 
 /** \brief Run time of each stage, in seconds. */
@@ -53,7 +64,8 @@ public:
   /** \brief Finds the planes.
    * \param[in] points in a frame whose origin is the sensor
    * \param[in] normals one for each point
-   * \param[in] selected not 0 for the points to look at; one entry for each point
+   * \param[in] selected not 0 for the points to look at; one entry for each point, or
+   * empty: all
    */
   void
   compute (const OrganizedPoints& points,
@@ -80,6 +92,19 @@ public:
   labels () const
   {
     return labels_;
+  }
+
+  /** \brief Covariance of (a, b, c, d) of each plane. */
+  const std::vector<Eigen::Matrix4d>&
+  parameterCovariances () const
+  {
+    return parameter_covariances_;
+  }
+
+  const PlaneRejections&
+  rejections () const
+  {
+    return rejections_;
   }
 
   const PlaneStageTimes&
@@ -121,6 +146,8 @@ private:
   PlaneAssignment assignment_;
   std::vector<Plane> planes_;
   std::vector<PlaneMoments> moments_;
+  std::vector<Eigen::Matrix4d> parameter_covariances_;
+  PlaneRejections rejections_;
   std::vector<std::uint32_t> labels_;
   PlaneStageTimes times_;
 };
