@@ -48,6 +48,18 @@ estimateNormals (const Cloud::ConstPtr& cloud)
   return normals;
 }
 
+/** The true normals of what each pixel sees. */
+inline Normals::Ptr
+trueNormals (const Scene& scene, const std::vector<Surface>& surfaces)
+{
+  auto normals = pcl::make_shared<Normals> (scene.cloud->width, scene.cloud->height);
+  for (std::size_t i = 0; i < scene.surface.size(); ++i)
+    if (scene.surface[i] >= 0)
+      (*normals)[i].getNormalVector3fMap() =
+          surfaces[static_cast<std::size_t> (scene.surface[i])].normal;
+  return normals;
+}
+
 template <typename Segmentation>
 void
 segment (Segmentation& segmentation, Result& result)

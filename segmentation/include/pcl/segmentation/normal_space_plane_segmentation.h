@@ -8,11 +8,16 @@
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
+#include <pcl/segmentation/connected_parts.h>
+#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/planar_region.h>
 #include <pcl/segmentation/plane_extraction.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/StdVector>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,7 +29,8 @@ namespace pcl {
  * Segmentation using RGB-D Cameras, 2011, section 4).
  *
  * A replacement for pcl::OrganizedMultiPlaneSegmentation. A plane is one cluster
- * however many unconnected parts of it are visible.
+ * however many unconnected parts of it are visible; getSegments () gives these parts.
+ * Planes are always refined: segment () and segmentAndRefine () find the same.
  *
  * \code
  * pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
@@ -39,7 +45,8 @@ namespace pcl {
  * are segmented. Output: planes by decreasing number of points, with coefficients a, b,
  * c, d such that a x + b y + c z + d = 0, (a, b, c) of unit length and d >= 0, so that
  * the normal faces the sensor. Outputs are replaced, not appended to, and carry the
- * header of the input.
+ * header of the input; their memory is used again, so that frames like the one before
+ * allocate none.
  *
  * A null, empty or unorganized cloud, normals that are missing or of another size, or
  * an index outside of the cloud: an error message and empty outputs.
@@ -69,6 +76,8 @@ public:
       std::vector<Eigen::Vector4f, Eigen::aligned_allocator<Eigen::Vector4f>>;
   using Covariances =
       std::vector<Eigen::Matrix3f, Eigen::aligned_allocator<Eigen::Matrix3f>>;
+  using Regions =
+      std::vector<PlanarRegion<PointT>, Eigen::aligned_allocator<PlanarRegion<PointT>>>;
 
   /** \brief The label of points that lie on no plane. */
   static constexpr std::uint32_t unlabelled = rgbd_planes::unlabelled;
@@ -136,6 +145,46 @@ public:
     return parameters_.maximum_curvature;
   }
 
+  /** \brief The noise of the sensor, which says how far the points of a plane spread;
+   * default rgbd_planes::DepthNoise::kinectV1 (). A noise of 0 m or less, NaN or Inf, and
+   * a range of 0 m or less, are refused. */
+  void
+  setDepthNoise (const rgbd_planes::DepthNoise& noise);
+
+  const rgbd_planes::DepthNoise&
+  getDepthNoise () const
+  {
+    return parameters_.noise;
+  }
+
+  /** \brief Which of the two grids of section 4.1 collects the normals: voxels
+   * (default), or cells of their spherical coordinates. */
+  void
+  setNormalSpaceGrid (rgbd_planes::NormalSpaceGrid grid)
+  {
+    parameters_.grid = grid;
+  }
+
+  rgbd_planes::NormalSpaceGrid
+  getNormalSpaceGrid () const
+  {
+    return parameters_.grid;
+  }
+
+  /** \brief Whether points of contours are moved to the nearest point of their plane;
+   * default false: they are points of the input. */
+  void
+  setProjectPoints (bool project_points)
+  {
+    project_points_ = project_points;
+  }
+
+  bool
+  getProjectPoints () const
+  {
+    return project_points_;
+  }
+
   /** \brief Finds all planes.
    * \param[out] model_coefficients a, b, c, d of each plane
    * \param[out] inlier_indices the points of each plane, in ascending order
@@ -161,6 +210,83 @@ public:
            PointCloudL& labels,
            std::vector<PointIndices>& label_indices);
 
+  /** \brief Finds all planes.
+   * \param[out] regions the planes with their coefficients, the centroid, covariance and
+   * number of all their points, and the contour of their largest connected part: its
+   * outer boundary in the image, clockwise, without repeating the first point at the end
+   */
+  void
+  segment (Regions& regions);
+
+  /** \brief The same as segment (regions). */
+  void
+  segmentAndRefine (Regions& regions)
+  {
+    segment (regions);
+  }
+
+  /** \brief Finds all planes.
+   * \param[out] regions as segment (regions) gives them
+   * \param[out] model_coefficients a, b, c, d of each plane
+   * \param[out] inlier_indices the points of each plane, in ascending order
+   * \param[out] labels the plane of each point, or \ref unlabelled; size of the input;
+   * created if null
+   * \param[out] label_indices the same as \a inlier_indices: one entry for each label
+   * \param[out] boundary_indices the points of each contour, in its order
+   */
+  void
+  segmentAndRefine (Regions& regions,
+                    std::vector<ModelCoefficients>& model_coefficients,
+                    std::vector<PointIndices>& inlier_indices,
+                    PointCloudLPtr& labels,
+                    std::vector<PointIndices>& label_indices,
+                    std::vector<PointIndices>& boundary_indices);
+
+  /** \brief Gives the planes of the last segment () again, which has refined them; other
+   * values passed in are replaced. For pipelines that refine what they segmented. */
+  void
+  refine (std::vector<ModelCoefficients>& model_coefficients,
+          std::vector<PointIndices>& inlier_indices,
+          PointCloudLPtr& labels,
+          std::vector<PointIndices>& label_indices);
+
+  /** \brief The connected parts of the planes of the last call: points whose pixels touch
+   * by a side or a corner (8-connected). Parts with fewer points than getMinInliers () are
+   * left out.
+   * \param[out] segment_indices the points of each part, in ascending order; parts by
+   * their first points
+   * \param[out] plane_of_segment the plane of each part
+   */
+  void
+  getSegments (std::vector<PointIndices>& segment_indices,
+               std::vector<std::size_t>& plane_of_segment);
+
+  /** \brief Root of the mean squared distance of the points of each plane of the last call
+   * to it, in metres. */
+  const std::vector<double>&
+  getRms () const
+  {
+    return rms_;
+  }
+
+  /** \brief Covariance of a, b, c, d of each plane of the last call: to first order in the
+   * noise, which is that of getDepthNoise () along the viewing rays, and independent for
+   * each point (neighbouring pixels of real sensors are not, so that planes are less
+   * certain). a, b, c in units of 1, d in metres; of rank 3, for (a, b, c) keeps its
+   * length. */
+  const std::vector<Eigen::Matrix4d>&
+  getParameterCovariances () const
+  {
+    return plane_extraction_.parameterCovariances();
+  }
+
+  /** \brief How many candidates of the last call did not become planes, and why. */
+  const rgbd_planes::PlaneRejections&
+  getRejections () const
+  {
+    return plane_extraction_.rejections();
+  }
+
   /** \brief How long each stage of the last call took. */
   const rgbd_planes::PlaneStageTimes&
   getStageTimes () const
@@ -179,18 +305,45 @@ private:
   bool
   checkInput () const;
 
-  /** \brief Finds the planes and, for every point, the one it lies on. */
-  bool
+  /** \brief Finds the planes and, for every point, the one it lies on; none in bad
+   * input. */
+  void
   extract ();
 
   void
   fillModels (std::vector<ModelCoefficients>& model_coefficients,
-              std::vector<PointIndices>& inlier_indices) const;
+              std::vector<PointIndices>& inlier_indices);
+
+  void
+  fillLabels (PointCloudL& labels) const;
+
+  void
+  fillRegions (Regions& regions, std::vector<PointIndices>& boundary_indices);
+
+  void
+  fillContour (const Indices& boundary,
+               const rgbd_planes::Plane& plane,
+               typename pcl::PointCloud<PointT>::VectorType& contour) const;
 
   PointCloudNConstPtr normals_;
   rgbd_planes::PlaneExtractionParameters parameters_;
+  bool project_points_ = false;
   rgbd_planes::PlaneExtraction plane_extraction_;
+
+  // Of the last call:
+  PCLHeader header_;
+  Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
+  std::uint32_t width_ = 0;
+  rgbd_planes::LabelRuns runs_;
+  std::vector<double> rms_;
+
+  // Memory that is used again:
   std::vector<std::uint8_t> selected_;
+  std::vector<index_t*> list_ends_;
+  rgbd_planes::ConnectedParts parts_;
+  std::vector<rgbd_planes::ConnectedParts::Part> largest_parts_;
+  std::vector<PointIndices> boundary_indices_;
 };
 
 } // namespace pcl

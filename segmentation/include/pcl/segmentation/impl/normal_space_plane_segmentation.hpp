@@ -5,7 +5,9 @@
 
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/region_contour.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -45,6 +47,25 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDistanceThreshold (
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDepthNoise (
+    const rgbd_planes::DepthNoise& noise)
+{
+  const float sigma = noise.sigma (1.f);
+  if (!(noise.constant >= 0.f && noise.quadratic >= 0.f && sigma > 0.f &&
+        std::isfinite (sigma) && noise.max_range > 0.f)) {
+    PCL_ERROR ("[pcl::%s::setDepthNoise] The noise must be more than 0 m and the range "
+               "as well, got %g m + %g m z^2 up to %g m. Keeping what was set.\n",
+               getClassName().c_str(),
+               noise.constant,
+               noise.quadratic,
+               noise.max_range);
+    return;
+  }
+  parameters_.noise = noise;
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
 bool
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 {
@@ -79,47 +100,128 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
-bool
+void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 {
-  if (!checkInput())
-    return false;
-  selected_.assign (input_->size(), use_indices_ ? 0 : 1);
-  if (use_indices_)
-    for (const pcl::index_t index : *indices_)
-      selected_[static_cast<std::size_t> (index)] = 1;
+  if (checkInput()) {
+    selected_.clear();
+    if (use_indices_) {
+      selected_.resize (input_->size(), 0);
+      for (const index_t index : *indices_)
+        selected_[static_cast<std::size_t> (index)] = 1;
+    }
+    const PointNT& first = normals_->front();
+    plane_extraction_.compute (
+        rgbd_planes::viewPoints (*input_),
+        {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
+        selected_,
+        parameters_);
+    header_ = input_->header;
+    sensor_origin_ = input_->sensor_origin_;
+    sensor_orientation_ = input_->sensor_orientation_;
+    width_ = input_->width;
+  }
+  else
+    plane_extraction_ = {};
 
-  const PointNT& first = normals_->front();
-  plane_extraction_.compute (
-      rgbd_planes::viewPoints (*input_),
-      {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
-      selected_,
-      parameters_);
-  return true;
+  const auto& planes = plane_extraction_.planes();
+  const auto& moments = plane_extraction_.moments();
+  runs_.find (plane_extraction_.labels(), width_, planes.size());
+  rms_.resize (planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    rms_[k] = std::sqrt (std::max (moments[k].squaredDistances (planes[k]), 0.) /
+                         static_cast<double> (moments[k].points));
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
 void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillModels (
     std::vector<ModelCoefficients>& model_coefficients,
-    std::vector<PointIndices>& inlier_indices) const
+    std::vector<PointIndices>& inlier_indices)
 {
   const auto& planes = plane_extraction_.planes();
   model_coefficients.resize (planes.size());
   inlier_indices.resize (planes.size());
+  list_ends_.resize (planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const auto& plane = planes[k];
-    model_coefficients[k].header = input_->header;
+    model_coefficients[k].header = header_;
     model_coefficients[k].values = {
         plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
-    inlier_indices[k].header = input_->header;
-    inlier_indices[k].indices.clear();
-    inlier_indices[k].indices.reserve (plane_extraction_.moments()[k].points);
+    inlier_indices[k].header = header_;
+    inlier_indices[k].indices.resize (runs_.pixels()[k]);
+    list_ends_[k] = inlier_indices[k].indices.data();
   }
-  const auto& labels = plane_extraction_.labels();
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] != unlabelled)
-      inlier_indices[labels[i]].indices.push_back (static_cast<pcl::index_t> (i));
+  for (const auto& run : runs_.runs())
+    run.appendTo (list_ends_[run.label]);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillLabels (
+    PointCloudL& labels) const
+{
+  const auto& label_of_point = plane_extraction_.labels();
+  if (label_of_point.empty()) {
+    labels.clear();
+    return;
+  }
+  labels.header = header_;
+  labels.sensor_origin_ = sensor_origin_;
+  labels.sensor_orientation_ = sensor_orientation_;
+  labels.is_dense = true;
+  labels.resize (width_, label_of_point.size() / width_);
+  for (std::size_t i = 0; i < label_of_point.size(); ++i)
+    labels[i].label = label_of_point[i];
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
+    Regions& regions, std::vector<PointIndices>& boundary_indices)
+{
+  const auto& planes = plane_extraction_.planes();
+  parts_.find (runs_);
+  largest_parts_.assign (planes.size(), {});
+  for (const auto& part : parts_.parts())
+    if (part.pixels > largest_parts_[part.label].pixels)
+      largest_parts_[part.label] = part;
+
+  regions.resize (planes.size());
+  boundary_indices.resize (planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    boundary_indices[k].header = header_;
+    Indices& boundary = boundary_indices[k].indices;
+    rgbd_planes::traceContour (
+        plane_extraction_.labels(), width_, largest_parts_[k].first, boundary);
+    const auto& moments = plane_extraction_.moments()[k];
+    Eigen::Vector4f coefficients;
+    coefficients << planes[k].normal, planes[k].d;
+    // Assigned without a contour, a region keeps the memory of its own.
+    regions[k] = PlanarRegion<PointT> (moments.mean().template cast<float>(),
+                                       moments.covariance().template cast<float>(),
+                                       static_cast<unsigned> (moments.points),
+                                       {},
+                                       coefficients);
+    fillContour (boundary, planes[k], regions[k].getContour());
+  }
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillContour (
+    const Indices& boundary,
+    const rgbd_planes::Plane& plane,
+    typename pcl::PointCloud<PointT>::VectorType& contour) const
+{
+  contour.resize (boundary.size());
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    contour[i] = (*input_)[boundary[i]];
+    if (project_points_) {
+      auto xyz = contour[i].getVector3fMap();
+      xyz -= plane.distance (xyz.data()) * plane.normal;
+    }
+  }
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -128,11 +230,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segment (
     std::vector<ModelCoefficients>& model_coefficients,
     std::vector<PointIndices>& inlier_indices)
 {
-  if (!extract()) {
-    model_coefficients.clear();
-    inlier_indices.clear();
-    return;
-  }
+  extract();
   fillModels (model_coefficients, inlier_indices);
 }
 
@@ -146,28 +244,81 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segment (
     PointCloudL& labels,
     std::vector<PointIndices>& label_indices)
 {
+  segment (model_coefficients, inlier_indices);
+  label_indices = inlier_indices;
+  fillLabels (labels);
   centroids.clear();
   covariances.clear();
-  if (!extract()) {
-    model_coefficients.clear();
-    inlier_indices.clear();
-    label_indices.clear();
-    labels.clear();
-    return;
-  }
-  fillModels (model_coefficients, inlier_indices);
-  label_indices = inlier_indices;
   for (const auto& moments : plane_extraction_.moments()) {
     centroids.emplace_back (moments.mean().template cast<float>().homogeneous());
     covariances.emplace_back (moments.covariance().template cast<float>());
   }
-  labels.header = input_->header;
-  labels.sensor_origin_ = input_->sensor_origin_;
-  labels.sensor_orientation_ = input_->sensor_orientation_;
-  labels.is_dense = true;
-  labels.resize (input_->width, input_->height);
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    labels[i].label = plane_extraction_.labels()[i];
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segment (Regions& regions)
+{
+  extract();
+  fillRegions (regions, boundary_indices_);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segmentAndRefine (
+    Regions& regions,
+    std::vector<ModelCoefficients>& model_coefficients,
+    std::vector<PointIndices>& inlier_indices,
+    PointCloudLPtr& labels,
+    std::vector<PointIndices>& label_indices,
+    std::vector<PointIndices>& boundary_indices)
+{
+  extract();
+  refine (model_coefficients, inlier_indices, labels, label_indices);
+  fillRegions (regions, boundary_indices);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::refine (
+    std::vector<ModelCoefficients>& model_coefficients,
+    std::vector<PointIndices>& inlier_indices,
+    PointCloudLPtr& labels,
+    std::vector<PointIndices>& label_indices)
+{
+  fillModels (model_coefficients, inlier_indices);
+  label_indices = inlier_indices;
+  if (!labels)
+    labels = pcl::make_shared<PointCloudL>();
+  fillLabels (*labels);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::getSegments (
+    std::vector<PointIndices>& segment_indices,
+    std::vector<std::size_t>& plane_of_segment)
+{
+  parts_.find (runs_);
+  const auto& parts = parts_.parts();
+  const auto isLarge = [this] (const rgbd_planes::ConnectedParts::Part& part) {
+    return part.pixels >= parameters_.min_inliers;
+  };
+  segment_indices.resize (
+      static_cast<std::size_t> (std::count_if (parts.begin(), parts.end(), isLarge)));
+  plane_of_segment.clear();
+  list_ends_.assign (parts.size(), nullptr);
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    if (isLarge (parts[part])) {
+      PointIndices& segment = segment_indices[plane_of_segment.size()];
+      segment.header = header_;
+      segment.indices.resize (parts[part].pixels);
+      list_ends_[part] = segment.indices.data();
+      plane_of_segment.push_back (parts[part].label);
+    }
+  for (std::size_t i = 0; i < runs_.runs().size(); ++i)
+    if (index_t*& end = list_ends_[parts_.partOfRun()[i]])
+      runs_.runs()[i].appendTo (end);
 }
 
 } // namespace pcl

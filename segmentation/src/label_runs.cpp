@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/plane_assignment.h>
+
+namespace pcl {
+namespace rgbd_planes {
+
+void
+LabelRuns::find (const std::vector<std::uint32_t>& labels,
+                 std::size_t width,
+                 std::size_t number_of_labels)
+{
+  width_ = width;
+  runs_.clear();
+  rows_.clear();
+  pixels_.assign (number_of_labels, 0);
+  for (std::size_t row = 0; row < labels.size(); row += width) {
+    rows_.push_back (runs_.size());
+    for (std::size_t begin = row, end; begin < row + width; begin = end) {
+      const std::uint32_t label = labels[begin];
+      for (end = begin + 1; end < row + width && labels[end] == label;)
+        ++end;
+      if (label == unlabelled)
+        continue;
+      runs_.push_back (
+          {label, static_cast<index_t> (begin), static_cast<index_t> (end)});
+      pixels_[label] += end - begin;
+    }
+  }
+  rows_.push_back (runs_.size());
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+
+/** Every allocation of the program, operator new and Eigen's aligned memory included,
+ * comes from these functions of the C library: they count, and glibc does the work. To be
+ * included once in a program. */
+namespace {
+std::atomic<std::size_t> allocations{0};
+}
+
+#ifndef __SANITIZE_ADDRESS__ // which has such functions of its own
+extern "C" {
+void*
+__libc_malloc (std::size_t size);
+void*
+__libc_calloc (std::size_t number, std::size_t size);
+void*
+__libc_realloc (void* memory, std::size_t size);
+void*
+__libc_memalign (std::size_t alignment, std::size_t size);
+
+void*
+malloc (std::size_t size) noexcept
+{
+  ++allocations;
+  return __libc_malloc (size);
+}
+
+void*
+calloc (std::size_t number, std::size_t size) noexcept
+{
+  ++allocations;
+  return __libc_calloc (number, size);
+}
+
+void*
+realloc (void* memory, std::size_t size) noexcept
+{
+  ++allocations;
+  return __libc_realloc (memory, size);
+}
+
+void*
+aligned_alloc (std::size_t alignment, std::size_t size) noexcept
+{
+  ++allocations;
+  return __libc_memalign (alignment, size);
+}
+
+int
+posix_memalign (void** memory, std::size_t alignment, std::size_t size) noexcept
+{
+  ++allocations;
+  *memory = __libc_memalign (alignment, size);
+  return *memory || size == 0 ? 0 : ENOMEM;
+}
+}
+#endif
