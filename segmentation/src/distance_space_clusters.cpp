@@ -44,9 +44,9 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
   const auto& normals = normal_clusters.meanNormals();
   labels_ = normal_clusters.labels();
   points_.assign (normals.size(), 0);
-  for (const std::int32_t label : labels_)
-    if (label != NormalSpaceClusters::none)
-      ++points_[static_cast<std::size_t> (label)];
+  for (const std::uint32_t i : normal_clusters.clustered())
+    if (labels_[i] != NormalSpaceClusters::none)
+      ++points_[static_cast<std::size_t> (labels_[i])];
   histogram_of_.assign (normals.size(), NormalSpaceClusters::none);
   std::size_t histograms = 0;
   for (std::size_t k = 0; k < normals.size(); ++k)
@@ -54,7 +54,7 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
       histogram_of_[k] = static_cast<std::int32_t> (histograms++);
 
   bins_.assign (histograms * bins_per_histogram, 0);
-  for (std::size_t i = 0; i < labels_.size(); ++i) {
+  for (const std::uint32_t i : normal_clusters.clustered()) {
     if (labels_[i] == NormalSpaceClusters::none)
       continue;
     const auto cluster = static_cast<std::size_t> (labels_[i]);
@@ -77,9 +77,9 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
     if (histogram_of_[k] != NormalSpaceClusters::none)
       splitAtMinima (static_cast<std::size_t> (histogram_of_[k]),
                      static_cast<std::int32_t> (k));
-  for (std::int32_t& label : labels_)
-    if (label != NormalSpaceClusters::none)
-      label = cluster_of_bin_[static_cast<std::size_t> (label)];
+  for (const std::uint32_t i : normal_clusters.clustered())
+    if (labels_[i] != NormalSpaceClusters::none)
+      labels_[i] = cluster_of_bin_[static_cast<std::size_t> (labels_[i])];
 }
 
 void

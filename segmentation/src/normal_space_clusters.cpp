@@ -84,9 +84,8 @@ NormalSpaceClusters::fillGrid (const PlaneSamples& samples,
 {
   grid_.assign (cells, Cell{});
   labels_.assign (samples.size(), none);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!samples.isClustered (i))
-      continue;
+  samples.findClustered (clustered_);
+  for (const std::uint32_t i : clustered_) {
     const float x = samples.normal_x[i], y = samples.normal_y[i],
                 z = samples.normal_z[i];
     const int cell = cell_of (x, y, z);
@@ -175,9 +174,8 @@ NormalSpaceClusters::finishMerging (float angular_threshold)
   for (std::int32_t& cluster : cluster_of_cell_)
     if (cluster != none)
       cluster = numbers_[merging_.find (static_cast<std::size_t> (cluster))];
-  for (std::int32_t& label : labels_)
-    if (label != none)
-      label = cluster_of_cell_[static_cast<std::size_t> (label)];
+  for (const std::uint32_t i : clustered_)
+    labels_[i] = cluster_of_cell_[static_cast<std::size_t> (labels_[i])];
 }
 
 } // namespace rgbd_planes

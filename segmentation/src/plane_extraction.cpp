@@ -80,7 +80,10 @@ PlaneExtraction::findParts()
                               min_cell);
     times_.normal_space += secondsSince (start);
     distance_clusters_.compute (samples_, normal_clusters_, min_candidate);
-    components_.compute (samples_, distance_clusters_.labels(), min_candidate);
+    components_.compute (samples_,
+                         normal_clusters_.clustered(),
+                         distance_clusters_.labels(),
+                         min_candidate);
     times_.distance_space += secondsSince (start);
     growParts();
     times_.refinement += secondsSince (start);

@@ -45,13 +45,11 @@ mismatch (const PlaneMoments& larger, const PlaneMoments& smaller)
 void
 PlaneJoining::compute (const std::vector<PlaneMoments>& parts)
 {
-  const auto larger = [] (const PlaneMoments& a, const PlaneMoments& b) {
-    return a.points > b.points;
-  };
   order_.resize (parts.size());
   std::iota (order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort (order_.begin(), order_.end(), [&] (std::size_t a, std::size_t b) {
-    return larger (parts[a], parts[b]);
+  std::sort (order_.begin(), order_.end(), [&] (std::size_t a, std::size_t b) {
+    return parts[a].points != parts[b].points ? parts[a].points > parts[b].points
+                                              : a < b;
   });
   planes_.clear();
   plane_of_part_.resize (parts.size());

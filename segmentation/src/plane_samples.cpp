@@ -11,8 +11,9 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Samples along the longer side of the image, about. */
-constexpr int samples_per_side = 160;
+/** Samples along the longer side of large images and of small ones, about. */
+constexpr int samples_of_large = 160, samples_of_small = 107;
+constexpr int large_side = 480;
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
  * each metre, as depth noise tilts far normals. */
 constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, largest_angle = 60.f;
@@ -31,6 +32,13 @@ minCosine (float range)
   return 1.f - square * (1.f / 2.f - square * (1.f / 24.f - square * (1.f / 720.f)));
 }
 
+int
+stepOf (int side)
+{
+  const int samples = side >= large_side ? samples_of_large : samples_of_small;
+  return std::max (1, (side + samples / 2) / samples);
+}
+
 bool
 isUnit (const float* normal)
 {
@@ -44,9 +52,8 @@ isUnit (const float* normal)
 void
 PlaneSamples::resize (int image_width, int image_height)
 {
-  step = std::max (1,
-                   (std::max (image_width, image_height) + samples_per_side / 2) /
-                       samples_per_side);
+  const int old_width = width, old_height = height;
+  step = stepOf (std::max (image_width, image_height));
   width = (image_width + step - 1) / step;
   height = (image_height + step - 1) / step;
   tiles_u = (width + tile_side - 1) / tile_side;
@@ -57,6 +64,34 @@ PlaneSamples::resize (int image_width, int image_height)
     values->assign (size, 0.f);
   sigma.assign (size, -1.f);
   relative_sigma.assign (size, -1.f);
+  if (width != old_width || height != old_height)
+    findNeighbours();
+}
+
+void
+PlaneSamples::findNeighbours()
+{
+  neighbours.resize (size());
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
+      const auto neighbour = [&] (int other_u, int other_v) {
+        const bool inside = other_u >= 0 && other_u < width && other_v >= 0;
+        return static_cast<std::uint32_t> (inside ? at (other_u, other_v) : at (u, v));
+      };
+      neighbours[at (u, v)] = {neighbour (u - 1, v),
+                               neighbour (u - 1, v - 1),
+                               neighbour (u, v - 1),
+                               neighbour (u + 1, v - 1)};
+    }
+}
+
+void
+PlaneSamples::findClustered (std::vector<std::uint32_t>& clustered) const
+{
+  clustered.clear();
+  for (std::size_t i = 0; i < size(); ++i)
+    if (isFree (i) && min_cosine[i] >= 0.f)
+      clustered.push_back (static_cast<std::uint32_t> (i));
 }
 
 void

@@ -20,41 +20,34 @@ SampleComponents::find (std::uint32_t sample)
 
 void
 SampleComponents::join (const PlaneSamples& samples,
+                        const std::vector<std::uint32_t>& clustered,
                         const std::vector<std::int32_t>& clusters)
 {
   parents_.resize (samples.size());
-  for (std::uint32_t i = 0; i < parents_.size(); ++i)
+  for (const std::uint32_t i : clustered)
     parents_[i] = i;
-  for (int v = 0; v < samples.height; ++v)
-    for (int u = 0; u < samples.width; ++u) {
-      const std::size_t i = samples.at (u, v);
-      if (clusters[i] < 0)
-        continue;
-      const auto joinWith = [&] (int other_u, int other_v) {
-        if (other_u < 0 || other_u >= samples.width || other_v < 0)
-          return;
-        const std::size_t other = samples.at (other_u, other_v);
-        if (clusters[other] != clusters[i])
-          return;
-        const std::uint32_t a = find (static_cast<std::uint32_t> (i));
-        const std::uint32_t b = find (static_cast<std::uint32_t> (other));
+  for (const std::uint32_t i : clustered) {
+    if (clusters[i] < 0)
+      continue;
+    for (const std::uint32_t neighbour : samples.neighbours[i])
+      if (clusters[neighbour] == clusters[i]) {
+        const std::uint32_t a = find (i), b = find (neighbour);
         parents_[std::max (a, b)] = std::min (a, b);
-      };
-      joinWith (u - 1, v);
-      joinWith (u - 1, v - 1);
-      joinWith (u, v - 1);
-      joinWith (u + 1, v - 1);
-    }
+      }
+  }
 }
 
 void
 SampleComponents::compute (const PlaneSamples& samples,
+                           const std::vector<std::uint32_t>& clustered,
                            const std::vector<std::int32_t>& clusters,
                            std::size_t min_points)
 {
-  join (samples, clusters);
-  places_.assign (samples.size(), 0);
-  for (std::uint32_t i = 0; i < parents_.size(); ++i)
+  join (samples, clustered, clusters);
+  places_.resize (samples.size());
+  for (const std::uint32_t i : clustered)
+    places_[i] = 0;
+  for (const std::uint32_t i : clustered)
     if (clusters[i] >= 0)
       ++places_[find (i)];
 
@@ -62,7 +55,7 @@ SampleComponents::compute (const PlaneSamples& samples,
   members_.resize (samples.size());
   components_.clear();
   std::uint32_t end = 0;
-  for (std::uint32_t i = 0; i < parents_.size(); ++i) {
+  for (const std::uint32_t i : clustered) {
     if (clusters[i] < 0 || parents_[i] != i)
       continue;
     const std::uint32_t count = places_[i];
@@ -72,7 +65,7 @@ SampleComponents::compute (const PlaneSamples& samples,
       end += count;
     }
   }
-  for (std::uint32_t i = 0; i < parents_.size(); ++i)
+  for (const std::uint32_t i : clustered)
     if (clusters[i] >= 0 && places_[find (i)] != nowhere)
       members_[places_[find (i)]++] = i;
   std::sort (components_.begin(),

@@ -49,6 +49,13 @@ public:
     return labels_;
   }
 
+  /** \brief The samples that were clustered; all others have the label \ref none. */
+  const std::vector<std::uint32_t>&
+  clustered () const
+  {
+    return clustered_;
+  }
+
   /** \brief The mean normal of each cluster, of unit length. */
   const std::vector<Eigen::Vector3f>&
   meanNormals () const
@@ -97,6 +104,7 @@ private:
   /** The first cell of each circle of latitude, and the end of the last one. */
   std::vector<std::size_t> latitudes_;
   std::vector<Cell> grid_;
+  std::vector<std::uint32_t> clustered_;
   /** Grid index of each point, then its cluster. */
   std::vector<std::int32_t> labels_;
   /** The cluster of each cell of the grid. */

@@ -7,6 +7,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -71,22 +72,26 @@ public:
    * normal is not trusted. */
   std::vector<float> min_cosine;
 
+  /** For each sample those to the left, above left, above and above right, or itself
+   * where the image ends. */
+  std::vector<std::array<std::uint32_t, 4>> neighbours;
+
   bool
   isFree (std::size_t i) const
   {
     return sigma[i] >= 0.f;
   }
 
-  /** \brief Whether the point starts clusters. */
-  bool
-  isClustered (std::size_t i) const
-  {
-    return isFree (i) && min_cosine[i] >= 0.f;
-  }
+  /** \brief The samples that start clusters: free, and with a trusted normal. */
+  void
+  findClustered (std::vector<std::uint32_t>& clustered) const;
 
 private:
   void
   resize (int image_width, int image_height);
+
+  void
+  findNeighbours ();
 };
 
 } // namespace rgbd_planes

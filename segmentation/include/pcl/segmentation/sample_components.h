@@ -31,10 +31,12 @@ public:
 
   /** \brief Finds components of at least \a min_points samples, each touching the next
    * along a side or a corner.
+   * \param[in] clustered the samples that may have a cluster
    * \param[in] clusters the cluster of each sample, negative for none
    */
   void
   compute (const PlaneSamples& samples,
+           const std::vector<std::uint32_t>& clustered,
            const std::vector<std::int32_t>& clusters,
            std::size_t min_points);
 
@@ -49,7 +51,9 @@ private:
   find (std::uint32_t sample);
 
   void
-  join (const PlaneSamples& samples, const std::vector<std::int32_t>& clusters);
+  join (const PlaneSamples& samples,
+        const std::vector<std::uint32_t>& clustered,
+        const std::vector<std::int32_t>& clusters);
 
   /** Another sample of the same component; itself for the first one. */
   std::vector<std::uint32_t> parents_;
