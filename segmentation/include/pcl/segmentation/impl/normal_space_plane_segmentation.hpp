@@ -69,21 +69,22 @@ template <typename PointT, typename PointNT, typename PointLT>
 bool
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 {
-  const std::string name = getClassName();
   if (!input_) {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", name.c_str());
+    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n",
+               getClassName().c_str());
     return false;
   }
   if (!rgbd_planes::isImage (*input_)) {
-    PCL_ERROR (
-        "[pcl::%s] %s\n", name.c_str(), rgbd_planes::notAnImage (*input_).c_str());
+    PCL_ERROR ("[pcl::%s] %s\n",
+               getClassName().c_str(),
+               rgbd_planes::notAnImage (*input_).c_str());
     return false;
   }
   if (!normals_ || normals_->size() != input_->size()) {
     PCL_ERROR (
         "[pcl::%s] The input has %zu points and %zu normals: compute a normal for "
         "each point of the whole cloud and pass them to setInputNormals.\n",
-        name.c_str(),
+        getClassName().c_str(),
         input_->size(),
         normals_ ? normals_->size() : std::size_t{0});
     return false;
@@ -92,7 +93,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
     PCL_ERROR (
         "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
         "%zu.\n",
-        name.c_str(),
+        getClassName().c_str(),
         input_->size() - 1);
     return false;
   }
