@@ -129,4 +129,13 @@ corner ()
   return surfaces;
 }
 
+/** A board at 1 m that covers columns u0 ... u1 - 1, rows v0 ... v1 - 1. */
+inline Surface
+board (int u0, int u1, int v0, int v1)
+{
+  return {{0.f, 0.f, -1.f}, 1.f, [=] (int u, int v) {
+            return u >= u0 && u < u1 && v >= v0 && v < v1;
+          }};
+}
+
 } // namespace plane_clouds

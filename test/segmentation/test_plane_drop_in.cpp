@@ -38,9 +38,21 @@ boards ()
   return surfaces;
 }
 
-/** A pipeline of PCL as its users write it, compiled for its class and for ours. */
+/** The outputs of the pipeline. */
+struct Pipeline {
+  Result segmented;
+  std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
+              Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
+      regions;
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers, label_indices, boundaries;
+  pcl::PointCloud<pcl::Label>::Ptr labels =
+      pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+};
+
+/** All overloads, as users of PCL call them, compiled for its class and for ours. */
 template <typename Segmentation>
-Result
+Pipeline
 runPipeline (const Cloud::ConstPtr& cloud)
 {
   Segmentation mps;
@@ -58,9 +70,34 @@ runPipeline (const Cloud::ConstPtr& cloud)
   EXPECT_EQ (same, normals);
   pcl::PCLBase<pcl::PointXYZ>& base = mps;
   base.setInputCloud (cloud);
-  Result result;
-  segment (mps, result);
+  mps.setProjectPoints (true);
+  Pipeline result;
+  segment (mps, result.segmented);
+  Result refined = result.segmented;
+  auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>> (refined.labels);
+  mps.refine (refined.models, refined.inliers, labels, refined.label_indices);
+  Result models_only; // PCL appends to what it is given
+  mps.segment (models_only.models, models_only.inliers);
+  EXPECT_EQ (models_only.models.size(), refined.models.size());
+  mps.segment (result.regions);
+  mps.segmentAndRefine (result.regions);
+  mps.segmentAndRefine (result.regions,
+                        result.models,
+                        result.inliers,
+                        result.labels,
+                        result.label_indices,
+                        result.boundaries);
   return result;
+}
+
+/** The number of elements that two ascending lists have in common. */
+std::size_t
+inBoth (const pcl::Indices& a, const pcl::Indices& b)
+{
+  pcl::Indices both;
+  std::set_intersection (
+      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter (both));
+  return both.size();
 }
 
 } // namespace
@@ -68,30 +105,41 @@ runPipeline (const Cloud::ConstPtr& cloud)
 TEST (PlaneDropIn, SwappingTheTypeNameFindsTheSamePlanes)
 {
   const Scene scene = render (corner());
-  const Result theirs = runPipeline<Theirs> (scene.cloud);
-  const Result ours = runPipeline<Ours> (scene.cloud);
-  ASSERT_EQ (theirs.models.size(), 3u);
-  ASSERT_EQ (ours.models.size(), 3u);
+  const Pipeline theirs = runPipeline<Theirs> (scene.cloud);
+  const Pipeline ours = runPipeline<Ours> (scene.cloud);
+  ASSERT_EQ (theirs.regions.size(), 3u);
+  ASSERT_EQ (ours.regions.size(), 3u);
+  ASSERT_EQ (ours.segmented.models.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
+    auto inliers = theirs.inliers[k].indices;
+    std::sort (inliers.begin(), inliers.end());
     std::size_t best = 0;
-    pcl::Indices common;
-    for (std::size_t j = 0; j < 3; ++j) {
-      pcl::Indices both;
-      std::set_intersection (theirs.inliers[k].indices.begin(),
-                             theirs.inliers[k].indices.end(),
-                             ours.inliers[j].indices.begin(),
-                             ours.inliers[j].indices.end(),
-                             std::back_inserter (both));
-      if (both.size() > common.size()) {
-        common = both;
+    for (std::size_t j = 1; j < 3; ++j)
+      if (inBoth (inliers, ours.inliers[j].indices) >
+          inBoth (inliers, ours.inliers[best].indices))
         best = j;
-      }
-    }
-    EXPECT_GE (common.size(), 0.95 * theirs.inliers[k].indices.size());
-    const float angle = angleDegrees (theirs.normal (k), ours.normal (best));
+    EXPECT_GE (inBoth (inliers, ours.inliers[best].indices), 0.95 * inliers.size());
+    const auto& region = ours.regions[best];
+    EXPECT_TRUE (
+        region.getCentroid().isApprox (theirs.regions[k].getCentroid(), 0.02f));
+    const float angle = angleDegrees (region.getCoefficients().head<3>(),
+                                      theirs.regions[k].getCoefficients().head<3>());
     EXPECT_LE (std::min (angle, 180.f - angle), 0.2f) << "either sign is theirs";
-    EXPECT_TRUE (ours.centroids[best].isApprox (theirs.centroids[k], 0.02f));
+    EXPECT_EQ (region.getContour().size(), ours.boundaries[best].indices.size());
+    EXPECT_EQ (ours.models[best].values, ours.segmented.models[best].values)
+        << "refined or not";
   }
+}
+
+/** OrganizedMultiPlaneSegmentation gave no contour to a plane whose last pixel is the
+ * lower right one of the image, for it looks for another label next to it. */
+TEST (PlaneDropIn, EveryPlaneHasAContour)
+{
+  const Scene scene = render ({tiltedPlane (1.f, 0.f, 20.f)});
+  const Pipeline ours = runPipeline<Ours> (scene.cloud);
+  ASSERT_EQ (ours.regions.size(), 1u);
+  EXPECT_EQ (ours.boundaries[0].indices.size(), 2u * (640 + 480) - 4);
+  EXPECT_EQ (ours.regions[0].getContour().size(), 2u * (640 + 480) - 4);
 }
 
 /** OrganizedMultiPlaneSegmentation turned 146 of 150 normals away. */

@@ -6,11 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
 
 using namespace plane_clouds;
-using synthetic::angleDegrees;
 
 namespace {
 
@@ -61,14 +60,6 @@ border (int width, int u0, int u1, int v0, int v1)
   for (int v = v1 - 2; v > v0; --v)
     pixels.push_back (v * width + u0);
   return pixels;
-}
-
-Surface
-board (int u0, int u1, int v0, int v1)
-{
-  return {{0.f, 0.f, -1.f}, 1.f, [=] (int u, int v) {
-            return u >= u0 && u < u1 && v >= v0 && v < v1;
-          }};
 }
 
 /** The connected parts of the labels of planes, by first pixels. */
@@ -322,106 +313,4 @@ TEST (PlaneRms, IsThatOfTheDistancesOfThePoints)
       EXPECT_NEAR (segmentation.getRms()[k], rms, 1e-6 + 1e-4 * rms);
     }
   }
-}
-
-TEST (PlaneSettings, DepthNoiseSaysHowFarPointsSpread)
-{
-  const Scene scene = render ({tiltedPlane (4.f, 0.f, 0.f)}, 320, 240, kinectSigma);
-  Ours segmentation;
-  segmentation.setMinInliers (100);
-  Result result;
-  segment (segmentation, scene.cloud, result);
-  EXPECT_GE (coveredPercent (result, *scene.cloud), 95.);
-  segmentation.setDepthNoise ({0.003f, 0.f});
-  EXPECT_EQ (segmentation.getDepthNoise().constant, 0.003f);
-  EXPECT_EQ (segmentation.getDepthNoise().quadratic, 0.f);
-  segment (segmentation, result);
-  // Three standard deviations are 9 mm now, and hold a fifth of points that spread by
-  // 33 mm.
-  const auto largest =
-      std::count_if (result.labels.begin(),
-                     result.labels.end(),
-                     [] (const pcl::Label& label) { return label.label == 0; });
-  EXPECT_LE (static_cast<double> (largest), 0.3 * result.labels.size());
-}
-
-TEST (PlaneSettings, PointsBeyondTheRangeTakeNoPart)
-{
-  const Scene scene = render (
-      {tiltedPlane (4.f, 0.f, 0.f), {{0.f, -1.f, 0.f}, 0.7f}}, 320, 240, kinectSigma);
-  Ours segmentation;
-  segmentation.setMinInliers (250);
-  auto noise = segmentation.getDepthNoise();
-  noise.max_range = 3.f;
-  segmentation.setDepthNoise (noise);
-  Result result;
-  segment (segmentation, scene.cloud, result);
-  ASSERT_EQ (result.models.size(), 1u);
-  EXPECT_LE (angleDegrees (result.normal (0), {0.f, -1.f, 0.f}), 0.5f);
-  for (const pcl::index_t i : result.inliers[0].indices)
-    EXPECT_LE ((*scene.cloud)[i].getVector3fMap().norm(), 3.f);
-}
-
-TEST (PlaneSettings, BothGridsFindTheSame)
-{
-  const Scene scene = render (corner(), 640, 480, kinectSigma);
-  Ours segmentation;
-  EXPECT_EQ (segmentation.getNormalSpaceGrid(),
-             pcl::rgbd_planes::NormalSpaceGrid::voxels);
-  Result voxels, spherical;
-  segment (segmentation, scene.cloud, voxels);
-  segmentation.setNormalSpaceGrid (pcl::rgbd_planes::NormalSpaceGrid::spherical);
-  EXPECT_EQ (segmentation.getNormalSpaceGrid(),
-             pcl::rgbd_planes::NormalSpaceGrid::spherical);
-  segment (segmentation, spherical);
-  ASSERT_EQ (voxels.models.size(), 3u);
-  ASSERT_EQ (spherical.models.size(), 3u);
-  std::size_t same = 0;
-  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
-    same += voxels.labels[i].label == spherical.labels[i].label;
-  EXPECT_GE (same, scene.cloud->size() * 99 / 100);
-}
-
-TEST (PlaneSettings, BadNoiseIsRefused)
-{
-  Ours segmentation;
-  segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise::activeStereo());
-  const float inf = std::numeric_limits<float>::infinity();
-  using Noise = pcl::rgbd_planes::DepthNoise;
-  for (const Noise& bad : {Noise{0.f, 0.f, 1.f},
-                           Noise{-0.001f, 0.002f, 1.f},
-                           Noise{0.001f, -0.002f, 1.f},
-                           Noise{synthetic::nan, 0.002f, 1.f},
-                           Noise{0.001f, inf, 1.f},
-                           Noise{0.001f, 0.002f, 0.f},
-                           Noise{0.001f, 0.002f, synthetic::nan}}) {
-    segmentation.setDepthNoise (bad);
-    EXPECT_EQ (segmentation.getDepthNoise().constant, 0.0005f);
-    EXPECT_EQ (segmentation.getDepthNoise().quadratic, 0.003f);
-    EXPECT_EQ (segmentation.getDepthNoise().max_range, 5.f);
-  }
-}
-
-TEST (PlaneRejections, CountPlanesWithTooFewPoints)
-{
-  const std::vector<Surface> surfaces{tiltedPlane (2.f, 0.f, 20.f),
-                                      board (100, 140, 80, 120)};
-  Ours segmentation;
-  segmentation.setMinInliers (2000);
-  const Scene both = render (surfaces);
-  segmentation.setInputCloud (both.cloud);
-  segmentation.setInputNormals (trueNormals (both, surfaces));
-  Result result;
-  segment (segmentation, result);
-  EXPECT_EQ (result.models.size(), 1u);
-  EXPECT_EQ (segmentation.getRejections().too_few_points, 1u);
-
-  const Scene wall = render ({surfaces[0]});
-  segmentation.setInputCloud (wall.cloud);
-  segmentation.setInputNormals (trueNormals (wall, surfaces));
-  segment (segmentation, result);
-  EXPECT_EQ (result.models.size(), 1u);
-  EXPECT_EQ (segmentation.getRejections().too_few_points, 0u);
-  EXPECT_EQ (segmentation.getRejections().curved, 0u);
-  EXPECT_EQ (segmentation.getRejections().claimed_by_larger, 0u);
 }
