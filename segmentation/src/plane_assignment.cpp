@@ -64,23 +64,38 @@ fillLabels (const TilePixels& pixels, std::uint32_t* labels)
                  unlabelled);
 }
 
+/** The first pixel with \a label, or null. */
+const float*
+findPixel (const TilePixels& pixels, const std::uint32_t* labels, std::uint32_t label)
+{
+  for (int v = 0; v < pixels.height; ++v) {
+    const std::size_t row = static_cast<std::size_t> (v) * pixels.image_width;
+    const std::uint32_t* end = labels + row + pixels.width;
+    const std::uint32_t* found = std::find (labels + row, end, label);
+    if (found != end)
+      return pixels.first + static_cast<std::size_t> (found - labels) * pixels.stride;
+  }
+  return nullptr;
+}
+
 void
 addMoments (const TilePixels& pixels,
             const std::uint32_t* labels,
-            const TilePlane& plane,
+            std::uint32_t label,
             const DepthNoise& noise,
-            const Eigen::Vector3f& reference,
             PlaneMoments& moments,
             PlaneMoments& weighted_moments)
 {
-  const Eigen::Vector3d r = reference.cast<double>();
-  double sums[10], weighted[10];
-  sumPixels (pixels, labels, plane.number, noise, {r[0], r[1], r[2]}, sums, weighted);
-  const auto number = static_cast<std::size_t> (sums[0]);
-  if (number == 0)
+  const float* p = findPixel (pixels, labels, label);
+  if (!p)
     return;
-  moments.add (sums, r, number);
-  weighted_moments.add (weighted, r, number);
+  // Near points differ by little, and single precision is enough.
+  const Eigen::Vector3d reference (p[0], p[1], p[2]);
+  double sums[10], weighted[10];
+  sumPixels (pixels, labels, label, noise, {p[0], p[1], p[2]}, sums, weighted);
+  const auto number = static_cast<std::size_t> (sums[0]);
+  moments.add (sums, reference, number);
+  weighted_moments.add (weighted, reference, number);
 }
 
 } // namespace
@@ -193,13 +208,8 @@ PlaneAssignment::compute (const OrganizedPoints& points,
         maskUnselected (pixels, &selected[first], &labels_[first]);
       for (std::size_t k = 0; k < number; ++k) {
         const std::uint32_t id = around[k].number;
-        addMoments (pixels,
-                    &labels_[first],
-                    around[k],
-                    noise,
-                    -planes[id].d * planes[id].normal,
-                    moments_[id],
-                    weighted_moments_[id]);
+        addMoments (
+            pixels, &labels_[first], id, noise, moments_[id], weighted_moments_[id]);
       }
     }
 }

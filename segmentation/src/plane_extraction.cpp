@@ -17,6 +17,9 @@ namespace {
 constexpr double min_cell_share = 1e-4;
 /** A connected part of a cluster is a candidate with this share of min_inliers. */
 constexpr double min_candidate_share = 0.15;
+/** Planes grow over points up to so much farther away than their own may lie: better
+ * one plane with a few points missing than two. */
+constexpr float growth_reach = 4.f / 3.f;
 /** What no plane took is clustered once more. */
 constexpr int rounds = 2;
 
@@ -49,7 +52,7 @@ PlaneExtraction::compute (const OrganizedPoints& points,
       static_cast<float> (parameters.distance_threshold) / parameters.noise.sigma (1.f);
   const double min_samples =
       static_cast<double> (parameters.min_inliers) / (samples_.step * samples_.step);
-  growth_.reset (samples_, min_samples, max_sigmas_);
+  growth_.reset (samples_, min_samples, growth_reach * max_sigmas_);
   findParts();
   start = std::chrono::steady_clock::now();
   joinParts();

@@ -28,8 +28,9 @@ constexpr std::uint8_t min_tile_points = 3;
 constexpr float min_start_cosine = 0.8f;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
- * per metre on the surface. */
-constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 6.;
+ * per metre on the surface, where they turn noticeably. */
+constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 6.,
+                 min_bent_turn = 0.08;
 
 PlaneEquation
 equationOf (const Plane& plane)
@@ -89,9 +90,12 @@ PlaneGrowth::grow (PlaneSamples& samples,
     const float d = -mean_normal.dot (moments.mean().cast<float>());
     plane = {d < 0.f ? Eigen::Vector3f (-mean_normal) : mean_normal, std::abs (d)};
   }
-  if (!claimUntilStable (samples, plane))
+  if (!claimUntilStable (samples, plane, max_sigmas_))
     return Result::too_few_points;
-  if (isCurved (samples, plane_)) {
+  // Steps look curved to those who reach too far.
+  if (isCurved (samples, plane_) &&
+      (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) ||
+       isCurved (samples, plane_))) {
     take (samples, curved_surface);
     return Result::curved;
   }
@@ -124,7 +128,9 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
 
 /** Leaves the plane, its claims, and their sums. */
 bool
-PlaneGrowth::claimUntilStable (const PlaneSamples& samples, Plane plane)
+PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
+                               Plane plane,
+                               float max_sigmas)
 {
   const double min_claim = std::max (3., min_claim_share * min_points_);
   double before = 0.;
@@ -135,7 +141,7 @@ PlaneGrowth::claimUntilStable (const PlaneSamples& samples, Plane plane)
     claimSamples (samples,
                   active_,
                   equationOf (plane),
-                  max_sigmas_,
+                  max_sigmas,
                   claimed_.data(),
                   counts_.data());
     keepTilesAround();
@@ -233,7 +239,7 @@ PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
       turning * (spread + 1e-9 * Eigen::Matrix2d::Identity()).inverse();
   const double turn = std::sqrt ((bend * spread * bend.transpose()).trace());
   return turn > max_turn + max_turn_per_metre * reference_.norm() ||
-         bend.norm() > max_bend;
+         (bend.norm() > max_bend && turn > min_bent_turn);
 }
 
 void

@@ -32,6 +32,12 @@ minCosine (float range)
   return 1.f - square * (1.f / 2.f - square * (1.f / 24.f - square * (1.f / 720.f)));
 }
 
+float
+squaredRange (const float* p)
+{
+  return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+}
+
 int
 stepOf (int side)
 {
@@ -104,20 +110,19 @@ PlaneSamples::compute (const OrganizedPoints& points,
   resize (points.width, points.height);
   const float farthest =
       std::min (noise.max_range * noise.max_range, max_squared_range);
+  const auto isUsable = [&] (std::size_t pixel) {
+    const float square = squaredRange (points[pixel]);
+    return (selected.empty() || selected[pixel]) && square > min_squared_range &&
+           square <= farthest;
+  };
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u) {
-      const int column = std::min (u * step + step / 2, points.width - 1);
-      const int row = std::min (v * step + step / 2, points.height - 1);
-      const auto pixel =
-          static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
-          static_cast<std::size_t> (column);
-      if (!selected.empty() && !selected[pixel])
-        continue;
-      const float* p = points[pixel];
-      const float squared_range = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-      if (!(squared_range > min_squared_range && squared_range <= farthest))
+      const std::size_t pixel = findPixel (points, u, v, isUsable);
+      if (pixel == points.size())
         continue;
       const std::size_t i = at (u, v);
+      const float* p = points[pixel];
+      const float squared_range = squaredRange (p);
       const float range = std::sqrt (squared_range);
       x[i] = p[0];
       y[i] = p[1];
@@ -135,6 +140,32 @@ PlaneSamples::compute (const OrganizedPoints& points,
       normal_z[i] = normal[2];
       min_cosine[i] = minCosine (range);
     }
+}
+
+/** The pixel in the middle of a sample's cell, or else the first usable one of the cell;
+ * the number of pixels if there is none. */
+template <typename IsUsable>
+std::size_t
+PlaneSamples::findPixel (const OrganizedPoints& points,
+                         int u,
+                         int v,
+                         const IsUsable& isUsable) const
+{
+  const auto pixelAt = [&] (int column, int row) {
+    return static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
+           static_cast<std::size_t> (column);
+  };
+  const std::size_t middle =
+      pixelAt (std::min (u * step + step / 2, points.width - 1),
+               std::min (v * step + step / 2, points.height - 1));
+  if (isUsable (middle))
+    return middle;
+  for (int row = v * step; row < std::min ((v + 1) * step, points.height); ++row)
+    for (int column = u * step; column < std::min ((u + 1) * step, points.width);
+         ++column)
+      if (isUsable (pixelAt (column, row)))
+        return pixelAt (column, row);
+  return points.size();
 }
 
 } // namespace rgbd_planes

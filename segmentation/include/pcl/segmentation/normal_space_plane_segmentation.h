@@ -110,7 +110,7 @@ public:
   }
 
   /** \brief Clusters whose mean normals differ by less are merged; radians, more than 0
-   * and at most pi / 4. */
+   * and at most pi / 4, default 0.2. */
   void
   setAngularThreshold (double angular_threshold);
 
@@ -120,8 +120,9 @@ public:
     return parameters_.angular_threshold;
   }
 
-  /** \brief How far from its plane a point may lie, in metres at a range of 1 m; grows
-   * with range as the noise of the sensor does, more than 0. */
+  /** \brief How far from its plane a point may lie along the viewing ray, in metres at a
+   * range of 1 m; grows with range as the noise of the sensor does, more than 0, default
+   * 0.009. */
   void
   setDistanceThreshold (double distance_threshold);
 
@@ -132,7 +133,7 @@ public:
   }
 
   /** \brief Points with a larger curvature start no cluster, but may still join a
-   * plane. */
+   * plane; default 0.03. */
   void
   setMaximumCurvature (double maximum_curvature)
   {

@@ -31,7 +31,7 @@ struct PlaneExtractionParameters {
   double angular_threshold = 0.2;
   /** Largest distance of a point from its plane, along the viewing ray, at a range of
    * 1 m, in metres; elsewhere the same number of standard deviations of depth. */
-  double distance_threshold = 0.012;
+  double distance_threshold = 0.009;
   /** Points with a larger curvature start no cluster, and may join a plane whatever
    * their normal. */
   float maximum_curvature = 0.03f;

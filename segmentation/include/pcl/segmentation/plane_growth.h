@@ -64,7 +64,7 @@ private:
   fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
 
   bool
-  claimUntilStable (const PlaneSamples& samples, Plane plane);
+  claimUntilStable (const PlaneSamples& samples, Plane plane, float max_sigmas);
 
   void
   keepTilesAround ();

@@ -15,8 +15,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Every step-th point of every step-th row of an image with its normal, in tiles
- * of 4 x 4 points: what planes are found on.
+/** \brief A point with its normal from each step x step pixels of an image, in tiles of
+ * 4 x 4 points: what planes are found on.
  *
  * Normals are averages over windows that are wider than a step, and so is the noise of
  * depth: the points between add nothing. Points lie tile after tile, row by row in a
@@ -92,6 +92,13 @@ private:
 
   void
   findNeighbours ();
+
+  template <typename IsUsable>
+  std::size_t
+  findPixel (const OrganizedPoints& points,
+             int u,
+             int v,
+             const IsUsable& isUsable) const;
 };
 
 } // namespace rgbd_planes
