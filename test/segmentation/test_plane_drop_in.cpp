@@ -215,6 +215,37 @@ TEST (PlaneDropIn, IndicesCountInAnyOrderAndOnce)
     ASSERT_EQ (listed.labels[i].label, Ours::unlabelled);
 }
 
+/** Neither indices nor measured points have to lie where the segmentation looks first. */
+TEST (PlaneDropIn, EverySecondPixelIsEnough)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  const Normals::Ptr normals = estimateNormals (scene.cloud);
+  for (const int du : {0, 1})
+    for (const int dv : {0, 1}) {
+      const auto indices = pcl::make_shared<pcl::Indices>();
+      const auto holes =
+          pcl::make_shared<Cloud> (320, 240, pcl::PointXYZ (0.f, 0.f, 0.f));
+      for (int v = dv; v < 240; v += 2)
+        for (int u = du; u < 320; u += 2) {
+          indices->push_back (v * 320 + u);
+          (*holes) (u, v) = (*scene.cloud) (u, v);
+        }
+      Ours listed, measured;
+      listed.setInputCloud (scene.cloud);
+      listed.setIndices (indices);
+      measured.setInputCloud (holes);
+      for (Ours* segmentation : {&listed, &measured}) {
+        segmentation->setMinInliers (250);
+        segmentation->setInputNormals (normals);
+        Result result;
+        segment (*segmentation, result);
+        EXPECT_EQ (result.models.size(), 3u)
+            << (segmentation == &listed ? "indices" : "points") << " from " << du
+            << ", " << dv;
+      }
+    }
+}
+
 /** OrganizedMultiPlaneSegmentation found two planes. */
 TEST (PlaneDropIn, APlaneBehindAStripIsOnePlane)
 {
