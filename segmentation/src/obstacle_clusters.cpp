@@ -39,12 +39,14 @@ ObstacleClusters::compute (const OrganizedPoints& points,
   runs_.clear();
   parents_.clear();
   const auto width = static_cast<std::size_t> (points.width);
-  std::size_t above = 0;
+  std::size_t before_last = 0, last = 0; // where the rows above begin
   for (std::size_t row = 0; row < points.size(); row += width) {
-    const std::size_t below = runs_.size();
+    const std::size_t now = runs_.size();
     findRuns (points, noise, row, classes);
-    joinRows (points, noise, above, below, classes);
-    above = below;
+    joinRows (points, noise, {last, now}, now, 1, classes);
+    joinRows (points, noise, {before_last, last}, now, 2, classes);
+    before_last = last;
+    last = now;
   }
   numberClusters (min_points, classes);
 }
@@ -68,35 +70,50 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
       ++i;
     parents_.push_back (static_cast<std::uint32_t> (runs_.size()));
     runs_.push_back ({first, i - first, none});
+    if (first >= row + 2 && classes[first - 2] == classes[first] &&
+        classes[first - 1] == ObstacleClass::unmeasured &&
+        areConnected (points[first - 2], points[first], noise))
+      join (runs_.size() - 2, runs_.size() - 1);
   }
 }
 
-/** Connects runs [below, end) with those of the row above, [above, below). */
+/** Connects runs [above.first, above.second) with those of the last row, [below, end),
+ * which is \a distance further down. */
 void
 ObstacleClusters::joinRows (const OrganizedPoints& points,
                             const DepthNoise& noise,
-                            std::size_t above,
+                            std::pair<std::size_t, std::size_t> above,
                             std::size_t below,
+                            std::size_t distance,
                             const std::vector<ObstacleClass>& classes)
 {
-  const auto width = static_cast<std::size_t> (points.width);
-  std::size_t a = above, b = below;
-  while (a < below && b < runs_.size()) {
+  const std::size_t offset = distance * static_cast<std::size_t> (points.width);
+  const auto isBridged = [&] (std::size_t i) {
+    return distance == 1 || classes[i + offset / 2] == ObstacleClass::unmeasured;
+  };
+  std::size_t a = above.first, b = below;
+  while (a < above.second && b < runs_.size()) {
     const std::size_t end_a = runs_[a].first + runs_[a].length;
-    const std::size_t first_b = runs_[b].first - width;
+    const std::size_t first_b = runs_[b].first - offset;
     const std::size_t end_b = first_b + runs_[b].length;
     if (classes[runs_[a].first] == classes[runs_[b].first])
       for (std::size_t i = std::max (runs_[a].first, first_b);
            i < std::min (end_a, end_b);
            ++i)
-        if (areConnected (points[i], points[i + width], noise)) {
-          const std::uint32_t x = root (static_cast<std::uint32_t> (a));
-          const std::uint32_t y = root (static_cast<std::uint32_t> (b));
-          parents_[std::max (x, y)] = std::min (x, y);
+        if (isBridged (i) && areConnected (points[i], points[i + offset], noise)) {
+          join (a, b);
           break;
         }
     end_a < end_b ? ++a : ++b;
   }
+}
+
+void
+ObstacleClusters::join (std::size_t a, std::size_t b)
+{
+  const std::uint32_t x = root (static_cast<std::uint32_t> (a));
+  const std::uint32_t y = root (static_cast<std::uint32_t> (b));
+  parents_[std::max (x, y)] = std::min (x, y);
 }
 
 std::uint32_t

@@ -30,7 +30,7 @@ ObstacleExtraction::compute (const OrganizedPoints& points,
   classify ({points, normals, planes, floor_, selected}, excluded, parameters);
   const std::size_t min_points = parameters.min_cluster_size != 0
                                      ? parameters.min_cluster_size
-                                     : std::max<std::size_t> (points.size() / 10000, 3);
+                                     : std::max<std::size_t> (points.size() / 20000, 2);
   clusters_.compute (points, noise, min_points, classes_);
   collect (points, parameters, obstacles);
 }
@@ -71,6 +71,8 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
     obstacles[k].indices.reserve (sizes[k]);
   }
   nearest_.assign (sizes.size(), std::numeric_limits<float>::infinity());
+  for (auto* coordinate : {&base_.x, &base_.y, &base_.z})
+    coordinate->resize (static_cast<std::size_t> (points.width));
   scan_builder_.start (parameters.scan, scan_);
   for (const auto& run : clusters_.runs())
     if (run.cluster != ObstacleClusters::none) {
@@ -97,15 +99,16 @@ ObstacleExtraction::moveToBase (const OrganizedPoints& points,
   const Eigen::Vector4f floor = floor_.coefficients();
   // The ray to a drop-off is followed to where it meets the floor.
   const bool is_drop_off = classes_[run.first] == ObstacleClass::drop_off;
-  base_.resize (run.length);
-  Eigen::Vector3f* base = base_.data();
+  float* x = base_.x.data();
+  float* y = base_.y.data();
+  float* z = base_.z.data();
   for (std::size_t i = 0; i < run.length; ++i) {
     const float* p = points[run.first + i];
     const float to_floor = floor[3] / (floor[3] - heightAbove (floor, p));
     const float scale = is_drop_off ? to_floor : 1.f;
-    for (int k = 0; k < 3; ++k)
-      base[i][k] =
-          scale * (m (k, 0) * p[0] + m (k, 1) * p[1] + m (k, 2) * p[2]) + m (k, 3);
+    x[i] = scale * (m (0, 0) * p[0] + m (0, 1) * p[1] + m (0, 2) * p[2]) + m (0, 3);
+    y[i] = scale * (m (1, 0) * p[0] + m (1, 1) * p[1] + m (1, 2) * p[2]) + m (1, 3);
+    z[i] = scale * (m (2, 0) * p[0] + m (2, 1) * p[1] + m (2, 2) * p[2]) + m (2, 3);
   }
 }
 
@@ -120,15 +123,17 @@ ObstacleExtraction::addRun (const ObstacleClusters::Run& run, Obstacle& obstacle
   std::iota (obstacle.indices.begin() + static_cast<std::ptrdiff_t> (before),
              obstacle.indices.end(),
              static_cast<pcl::index_t> (run.first));
-  float& nearest = nearest_[run.cluster];
-  for (const Eigen::Vector3f& p : base_) {
-    scan_builder_.add (p);
-    const float squared = p.x() * p.x() + p.y() * p.y();
+  scan_builder_.add (base_.x.data(), base_.y.data(), base_.z.data(), run.length);
+  float nearest = nearest_[run.cluster];
+  for (std::size_t i = 0; i < run.length; ++i) {
+    const float x = base_.x[i], y = base_.y[i], z = base_.z[i];
+    const float squared = x * x + y * y;
     if (squared < nearest) {
       nearest = squared;
-      obstacle.nearest = p;
+      obstacle.nearest = {x, y, z};
     }
   }
+  nearest_[run.cluster] = nearest;
 }
 
 } // namespace rgbd_planes

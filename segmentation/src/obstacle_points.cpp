@@ -19,6 +19,8 @@ constexpr int cells_in_row = 160;
 // depth moves their means, though not their noise, as much as that of points.
 constexpr float point_sigmas = 4.5f;
 constexpr float window_sigmas = 2.75f;
+/** Of the 9 of a window. */
+constexpr int enough_samples = 5;
 
 template <typename T>
 constexpr T
@@ -63,7 +65,7 @@ ObstaclePoints::classify (const ObstacleFrame& frame,
     measureRow (frame, first);
     classifyRow (first, classes);
     sumRow (cells);
-    if (v % sampleStep() == 0)
+    if (v % cell_size_ == 0)
       sampleRow (frame, first, cells);
   }
   for (int v = 0; v < cells_v_; ++v)
@@ -156,17 +158,20 @@ ObstaclePoints::sampleRow (const ObstacleFrame& frame,
                            std::size_t first,
                            Cell* cells) const
 {
-  for (int u = 0; u < width_; u += sampleStep())
+  for (int u = 0; u < width_; u += cell_size_)
     if (row_.result[u] == static_cast<int> (ObstacleClass::floor))
-      cells[u / cell_size_].differ += isOtherSurface (frame, first + u);
+      cells[u / cell_size_].differ = isOtherSurface (frame, first + u, row_.height[u]);
 }
 
 bool
-ObstaclePoints::isOtherSurface (const ObstacleFrame& frame, std::size_t point) const
+ObstaclePoints::isOtherSurface (const ObstacleFrame& frame,
+                                std::size_t point,
+                                float height) const
 {
   const Eigen::Vector4f& floor = frame.floor.coefficients();
   const float* normal = frame.normals.normal + point * frame.normals.stride;
-  return frame.floor.differs (frame.planes[point]) ||
+  // Below the floor, a tilted plane can only be one that grew too far.
+  return (height > 0.f && frame.floor.differs (frame.planes[point])) ||
          floor[0] * normal[0] + floor[1] * normal[1] + floor[2] * normal[2] < min_cos_;
 }
 
@@ -195,8 +200,7 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
   const bool is_high = around.height / count >
                        std::max (0.5f * parameters_.min_height,
                                  window_sigmas * std::sqrt (around.variance / count));
-  const int samples_per_cell = square (cell_size_ / sampleStep());
-  const bool is_other = 2 * around.differ > 9 * samples_per_cell;
+  const bool is_other = around.differ >= enough_samples;
   if (!is_high && !is_other)
     return;
   const Eigen::Vector4f& floor = frame.floor.coefficients();
@@ -208,9 +212,10 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
       if (classes[i] != ObstacleClass::floor)
         continue;
       const float* p = frame.points[i];
+      const float height = heightAbove (floor, p);
       const float variance = heightVariance (p, floor[3], parameters_.noise);
-      if ((is_high && isHigh (heightAbove (floor, p), variance, parameters_)) ||
-          (is_other && isOtherSurface (frame, i)))
+      if ((is_high && isHigh (height, variance, parameters_)) ||
+          (is_other && isOtherSurface (frame, i, height)))
         classes[i] = ObstacleClass::obstacle;
     }
 }

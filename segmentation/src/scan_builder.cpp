@@ -22,18 +22,20 @@ ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
   const float span = limits.angle_max - limits.angle_min;
   const auto directions =
       static_cast<std::size_t> (std::lround (span / limits.angle_increment)) + 1;
-  if (directions != squares_.size() || limits.angle_min != limits_.angle_min ||
+  if (sectors_.size() != directions + 1 || limits.angle_min != limits_.angle_min ||
       limits.angle_increment != limits_.angle_increment) {
-    borders_.resize (directions + 1);
-    for (std::size_t i = 0; i <= directions; ++i) {
-      const float angle =
+    sectors_.assign (directions + 1, {});
+    for (std::size_t i = 0; i < directions; ++i) {
+      const float right =
           limits.angle_min + (static_cast<float> (i) - 0.5f) * limits.angle_increment;
-      borders_[i] = {std::cos (angle), std::sin (angle)};
+      const float left =
+          limits.angle_min + (static_cast<float> (i) + 0.5f) * limits.angle_increment;
+      sectors_[i] = {
+          std::cos (right), std::sin (right), std::cos (left), std::sin (left)};
     }
   }
   limits_ = limits;
-  squares_.assign (directions, infinity);
-  current_ = 0;
+  squares_.assign (directions + 1, infinity);
   squared_min_ = limits.range_min * limits.range_min;
   squared_max_ = limits.range_max * limits.range_max;
 
@@ -47,27 +49,45 @@ ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
 }
 
 void
-ScanBuilder::find (const Eigen::Vector3f& point)
+ScanBuilder::add (const float* x, const float* y, const float* z, std::size_t count)
 {
-  // Mostly a neighbour of the direction before.
-  for (const std::size_t near : {current_ + 1, current_ - 1})
-    if (isInside (point, near)) {
-      current_ = near;
-      return;
+  std::size_t current = sectors_.size() - 1;
+  Sector sector; // sectors_[current]
+  float closest = infinity;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float squared = x[i] * x[i] + y[i] * y[i];
+    if (!(z[i] <= limits_.max_height && squared >= squared_min_ &&
+          squared <= squared_max_ && squared > 0.f))
+      continue;
+    if (!sector.contains (x[i], y[i])) {
+      squares_[current] = std::min (squares_[current], closest);
+      current = find (x[i], y[i], current);
+      sector = sectors_[current];
+      closest = infinity;
     }
+    closest = std::min (closest, squared);
+  }
+  squares_[current] = std::min (squares_[current], closest);
+}
+
+std::size_t
+ScanBuilder::find (float x, float y, std::size_t guess) const
+{
+  for (const std::size_t near : {guess + 1, guess - 1})
+    if (near < sectors_.size() && sectors_[near].contains (x, y))
+      return near;
   const float steps_in_turn = 6.2831853f / limits_.angle_increment;
-  float steps = (std::atan2 (point.y(), point.x()) - limits_.angle_min) /
-                    limits_.angle_increment +
-                0.5f;
+  float steps =
+      (std::atan2 (y, x) - limits_.angle_min) / limits_.angle_increment + 0.5f;
   steps -= steps_in_turn * std::floor (steps / steps_in_turn);
-  current_ = std::min (static_cast<std::size_t> (steps), squares_.size());
+  return std::min (static_cast<std::size_t> (steps), sectors_.size() - 1);
 }
 
 void
 ScanBuilder::finish()
 {
-  scan_->ranges.resize (squares_.size());
-  for (std::size_t i = 0; i < squares_.size(); ++i)
+  scan_->ranges.resize (sectors_.size() - 1);
+  for (std::size_t i = 0; i < scan_->ranges.size(); ++i)
     scan_->ranges[i] = std::sqrt (squares_[i]);
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -19,6 +20,7 @@ namespace rgbd_planes {
  *
  * Neighbours in a row or column that are both obstacle, or both drop-off, are connected
  * while the distance between them is at most 5 cm and three standard deviations of depth.
+ * So are next neighbours but one where the pixel between them is unmeasured.
  * Clusters are kept as runs, the parts of a row that belong to one.
  */
 class PCL_RGBD_PLANES_EXPORTS ObstacleClusters {
@@ -66,9 +68,13 @@ private:
   void
   joinRows (const OrganizedPoints& points,
             const DepthNoise& noise,
-            std::size_t above,
+            std::pair<std::size_t, std::size_t> above,
             std::size_t below,
+            std::size_t distance,
             const std::vector<ObstacleClass>& classes);
+
+  void
+  join (std::size_t a, std::size_t b);
 
   std::uint32_t
   root (std::uint32_t run);

@@ -135,8 +135,8 @@ public:
     return parameters_.points.min_drop;
   }
 
-  /** \brief The points of smaller clusters are specks; default 0 for one point in 10000
-   * of the image, at least 3. */
+  /** \brief The points of smaller clusters are specks; default 0 for one point in 20000
+   * of the image, at least 2. */
   void
   setMinClusterSize (unsigned points)
   {
@@ -193,6 +193,13 @@ public:
   /** \brief Looks at the input. */
   void
   detect (std::vector<Obstacle>& obstacles);
+
+  /** \brief The class of each point in the last call of detect. */
+  const std::vector<rgbd_planes::ObstacleClass>&
+  getClasses () const
+  {
+    return extraction_.classes();
+  }
 
   /** \brief The virtual scan of the last call of detect. */
   const VirtualScan&

@@ -28,7 +28,7 @@ struct ObstacleParameters {
   float floor_angle = 0.17f;
   /** Largest mean height of the points of the floor in the base frame; metres. */
   float floor_height = 0.05f;
-  /** Smaller clusters are specks; 0 for one point in 10000 of the image, at least 3. */
+  /** Smaller clusters are specks; 0 for one point in 20000 of the image, at least 2. */
   unsigned min_cluster_size = 0;
   ObstaclePointParameters points;
   ScanLimits scan;
@@ -98,8 +98,11 @@ private:
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  std::vector<Eigen::Vector3f> base_; // the points of a run in the base frame
-  std::vector<float> nearest_;        // squared distance of each obstacle
+  /** The points of a run in the base frame. */
+  struct {
+    std::vector<float> x, y, z;
+  } base_;
+  std::vector<float> nearest_; // squared distance of each obstacle
 };
 
 } // namespace rgbd_planes

@@ -66,7 +66,7 @@ private:
     float variance = 0.f; // of the height
     std::uint16_t points = 0;
     std::uint16_t high = 0;   // points high enough for a low obstacle
-    std::uint16_t differ = 0; // of every other point, those on another surface
+    std::uint16_t differ = 0; // 1 where its first point is on another surface
 
     Cell&
     operator+= (const Cell& other);
@@ -105,15 +105,8 @@ private:
              int cell_v,
              std::vector<ObstacleClass>& classes) const;
 
-  /** Every other row and column is looked at where cells have several. */
-  int
-  sampleStep () const
-  {
-    return cell_size_ == 1 ? 1 : 2;
-  }
-
   bool
-  isOtherSurface (const ObstacleFrame& frame, std::size_t point) const;
+  isOtherSurface (const ObstacleFrame& frame, std::size_t point, float height) const;
 
   ObstaclePointParameters parameters_;
   float min_cos_ = 1.f;

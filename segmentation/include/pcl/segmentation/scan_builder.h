@@ -23,48 +23,39 @@ public:
   void
   start (const ScanLimits& limits, VirtualScan& scan);
 
-  /** \brief Adds a point. Fastest where points follow each other in direction.
-   * \param[in] point in the base frame, metres
-   */
+  /** \brief Adds points in the base frame, metres. Fastest where points follow each other
+   * in direction. */
   void
-  add (const Eigen::Vector3f& point)
-  {
-    const float squared = point.x() * point.x() + point.y() * point.y();
-    if (!(point.z() <= limits_.max_height && squared >= squared_min_ &&
-          squared <= squared_max_ && squared > 0.f))
-      return;
-    if (!isInside (point, current_))
-      find (point);
-    if (current_ < squares_.size() && squared < squares_[current_])
-      squares_[current_] = squared;
-  }
+  add (const float* x, const float* y, const float* z, std::size_t count);
 
   /** \brief Fills in the ranges. */
   void
   finish ();
 
 private:
-  /** Whether a point lies between the borders of a direction. */
-  bool
-  isInside (const Eigen::Vector3f& p, std::size_t i) const
-  {
-    return i < squares_.size() && borders_[i].x() * p.y() >= borders_[i].y() * p.x() &&
-           borders_[i + 1].x() * p.y() < borders_[i + 1].y() * p.x();
-  }
+  /** The part of the plane that a direction stands for, between two unit vectors. */
+  struct Sector {
+    float right_x = 0.f, right_y = 0.f, left_x = 0.f, left_y = 0.f;
 
-  void
-  find (const Eigen::Vector3f& point);
+    bool
+    contains (float x, float y) const
+    {
+      return right_x * y >= right_y * x && left_x * y < left_y * x;
+    }
+  };
+
+  /** The direction of a point, or sectors_.size() - 1 where it is outside of all. */
+  std::size_t
+  find (float x, float y, std::size_t guess) const;
 
   VirtualScan* scan_ = nullptr;
   ScanLimits limits_;
   float squared_min_ = 0.f;
   float squared_max_ = 0.f;
-  /** Direction i is between the unit vectors borders_[i] and borders_[i + 1]. */
-  std::vector<Eigen::Vector2f> borders_;
-  /** Of the closest point in each direction. */
+  /** One for each direction, and one that contains nothing. */
+  std::vector<Sector> sectors_;
+  /** Of the closest point in each direction; the last one is of no use. */
   std::vector<float> squares_;
-  /** The direction of the last point, or squares_.size() where it is outside of all. */
-  std::size_t current_ = 0;
 };
 
 } // namespace rgbd_planes
