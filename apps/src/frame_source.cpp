@@ -143,6 +143,7 @@ FrameSource::read (std::size_t i) const
   *frame.cloud = subsample (*frame.cloud, options_.step);
   if (frame.truth)
     *frame.truth = subsample (*frame.truth, options_.step);
+  frame.labels.points = subsample (frame.labels.points, options_.step);
   if (frame.cloud->width < 2 || frame.cloud->height < 2)
     throw AppError (options_.input + ": frame " + frame.name +
                     " is too small for this --resolution; use --resolution vga");
@@ -236,7 +237,7 @@ FrameSource::addFile (const fs::path& file)
   if (extension == ".pcd") {
     refuseDepthOptions (options_, file);
     frames_.push_back ({file.stem(), [file] (Frame& frame) {
-                          frame.cloud = readOrganizedPcd (file);
+                          frame.cloud = readOrganizedPcd (file, &frame.labels);
                         }});
     return;
   }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/normal_evaluation.h>
+#include <pcl/apps/statistics.h>
 #include <pcl/common/angles.h>
 
 #include <cmath>
@@ -19,13 +20,6 @@ bool
 isDirection (const Eigen::Vector3f& v)
 {
   return v.allFinite() && !v.isZero (0.f);
-}
-
-double
-percent (std::size_t part, std::size_t all)
-{
-  return all > 0 ? 100. * static_cast<double> (part) / static_cast<double> (all)
-                 : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace
@@ -71,13 +65,13 @@ NormalDeviations::median() const
 double
 NormalDeviations::over25Percent() const
 {
-  return percent (over_25_, both_normals_);
+  return percentOf (over_25_, both_normals_);
 }
 
 double
 NormalDeviations::coveragePercent() const
 {
-  return percent (both_normals_, reference_normals_);
+  return percentOf (both_normals_, reference_normals_);
 }
 
 } // namespace rgbd_planes

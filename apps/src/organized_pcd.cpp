@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/organized_pcd.h>
+#include <pcl/apps/point_labels.h>
 #include <pcl/console/print.h>
 #include <pcl/exceptions.h>
 #include <pcl/features/organized_view.h>
@@ -142,7 +143,7 @@ readCloud (const std::string& file,
 } // namespace
 
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
-readOrganizedPcd (const std::string& file)
+readOrganizedPcd (const std::string& file, PointLabels* labels)
 {
   const QuietPcl quiet;
   checkFile (file);
@@ -166,6 +167,8 @@ readOrganizedPcd (const std::string& file)
       std::memcpy (&point.rgba, data + colour->offset, sizeof (point.rgba));
     data += blob.point_step;
   }
+  if (labels)
+    *labels = readPointLabels (blob);
   return cloud;
 }
 

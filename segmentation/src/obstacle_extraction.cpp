@@ -11,6 +11,16 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+bool
+isUsable (const float* p, const DepthNoise& noise)
+{
+  return isMeasured (p) && isUsed (p[0] * p[0] + p[1] * p[1] + p[2] * p[2], noise);
+}
+
+} // namespace
+
 void
 ObstacleExtraction::compute (const OrganizedPoints& points,
                              const OrganizedNormals& normals,
@@ -45,10 +55,10 @@ ObstacleExtraction::classify (const ObstacleFrame& frame,
   else {
     classes_.resize (frame.points.size());
     for (std::size_t i = 0; i < classes_.size(); ++i)
-      classes_[i] =
-          isMeasured (frame.points[i]) && (!frame.selected || frame.selected[i])
-              ? ObstacleClass::obstacle
-              : ObstacleClass::unmeasured;
+      classes_[i] = isUsable (frame.points[i], parameters.points.noise) &&
+                            (!frame.selected || frame.selected[i])
+                        ? ObstacleClass::obstacle
+                        : ObstacleClass::unmeasured;
   }
   if (!excluded)
     return;

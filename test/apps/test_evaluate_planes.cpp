@@ -4,6 +4,7 @@
 #include "app_test.h"
 #include "synthetic_clouds.h"
 
+#include <pcl/common/io.h>
 #include <pcl/io/pcd_io.h>
 
 #include <gtest/gtest.h>
@@ -42,6 +43,7 @@ TEST_F (EvaluatePlanes, SimulatedFramesAgainstTruth)
       EXPECT_EQ (row["method"], method);
       EXPECT_EQ (row["resolution"], resolution);
       EXPECT_GT (row["ms_median"], 0.);
+      EXPECT_GE (row["ms_worst"], row["ms_median"]);
       EXPECT_GE (row["planes_truth"], 6);
       const int truth = row["planes_truth"], found = row["planes_found"];
       EXPECT_LE (row["correct_80"].get<int>() + row["missed"].get<int>(), truth);
@@ -50,7 +52,20 @@ TEST_F (EvaluatePlanes, SimulatedFramesAgainstTruth)
       EXPECT_LE (row["mean_iou"], 1.);
       EXPECT_LE (row["coverage_percent"], 100.);
       EXPECT_GE (row["median_angle_error_deg"], 0.);
+      EXPECT_TRUE (row["curved_labelled_percent"].is_null()) << "nothing is curved";
     }
+}
+
+TEST_F (EvaluatePlanes, CurvedSurfacesOfSimulatedFrames)
+{
+  ASSERT_EQ (run ("sim:table_cluttered --resolution qqvga --json table.json").code, 0);
+  for (const json& row : results()) {
+    const double labelled = row["curved_labelled_percent"].get<double>();
+    const double shattered = row["curved_shattered_percent"].get<double>();
+    EXPECT_GE (shattered, 0.);
+    EXPECT_LE (shattered, labelled);
+    EXPECT_LE (labelled, 100.);
+  }
 }
 
 TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
@@ -69,7 +84,15 @@ TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
                           "f1_50",
                           "mean_iou",
                           "median_angle_error_deg",
-                          "median_distance_error_mm"})
+                          "median_distance_error_mm",
+                          "table_iou",
+                          "table_iou_worst",
+                          "purity_percent",
+                          "curved_labelled_percent",
+                          "curved_shattered_percent",
+                          "right_angle_median_deg",
+                          "right_angle_pairs_percent",
+                          "right_angle_frames_percent"})
     EXPECT_TRUE (rows[0].at (key).is_null()) << key;
   EXPECT_EQ (rows[0]["method"], "normal_space");
   EXPECT_EQ (rows[0]["planes_found"], 1);
@@ -77,10 +100,85 @@ TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
   EXPECT_EQ (rows[0]["off_percent"], 0.);
 }
 
+/** A corner of two walls 90.5 degrees apart. */
+class EvaluateCorner : public EvaluatePlanes {
+protected:
+  EvaluateCorner()
+  : corner_ (synthetic::render ({synthetic::tiltedPlane (2.f, 0.f, 50.f),
+                                 synthetic::tiltedPlane (2.f, 0.f, -40.5f)}))
+  {}
+
+  /** Runs the comparison on \a cloud at QVGA and returns the figures of our method. */
+  template <typename PointT>
+  json
+  evaluate (const pcl::PointCloud<PointT>& cloud, const std::string& options = "")
+  {
+    pcl::io::savePCDFileBinaryCompressed (folder_ / "corner.pcd", cloud);
+    const Outcome outcome =
+        run ("corner.pcd --resolution qvga --json table.json " + options);
+    EXPECT_EQ (outcome.code, 0) << outcome.err;
+    table_ = outcome.out;
+    return results()[0];
+  }
+
+  template <typename PointT>
+  pcl::PointCloud<PointT>
+  cornerAs () const
+  {
+    pcl::PointCloud<PointT> cloud;
+    pcl::copyPointCloud (*corner_.cloud, cloud);
+    return cloud;
+  }
+
+  const synthetic::Scene corner_;
+  std::string table_;
+};
+
+TEST_F (EvaluateCorner, RightAngles)
+{
+  const auto cloud = cornerAs<pcl::PointXYZ>();
+  json row = evaluate (cloud, "--right-angles all");
+  EXPECT_EQ (row["right_angle_frames"], 1);
+  EXPECT_NEAR (row["right_angle_median_deg"], 0.5, 0.1);
+  EXPECT_EQ (row["right_angle_pairs_percent"], 100.);
+  EXPECT_EQ (row["right_angle_frames_percent"], 100.);
+  EXPECT_NE (table_.find ("right angles"), std::string::npos);
+  row = evaluate (cloud);
+  EXPECT_EQ (row["right_angle_frames"], 0);
+  EXPECT_EQ (table_.find ("right angles"), std::string::npos);
+}
+
+TEST_F (EvaluateCorner, LabelledPlanesAreTheTruth)
+{
+  auto cloud = cornerAs<pcl::PointXYZI>();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].intensity = static_cast<float> (corner_.surface[i] + 1);
+  const json row = evaluate (cloud);
+  EXPECT_EQ (row["planes_truth"], 2);
+  EXPECT_EQ (row["correct_80"], 2);
+  EXPECT_EQ (row["noise"], 0);
+  EXPECT_LE (row["median_angle_error_deg"], 0.1);
+  EXPECT_TRUE (row["table_iou"].is_null());
+}
+
+TEST_F (EvaluateCorner, LabelledObjects)
+{
+  auto cloud = cornerAs<pcl::PointXYZL>();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].label = corner_.surface[i] == 0 ? 1 : 20;
+  const json row = evaluate (cloud);
+  EXPECT_TRUE (row["planes_truth"].is_null());
+  EXPECT_GE (row["table_iou"], 0.98);
+  EXPECT_EQ (row["table_iou"], row["table_iou_worst"]);
+  EXPECT_GE (row["purity_percent"], 98.);
+  EXPECT_NE (table_.find ("table IoU"), std::string::npos);
+}
+
 TEST_F (EvaluatePlanes, BadUsage)
 {
   expectRefused ("", "INPUT");
   expectRefused ("sim:nowhere", "nowhere");
   expectRefused ("sim:table_single --resolution tiny", "tiny");
+  expectRefused ("sim:table_single --right-angles most", "most");
   expectRefused ("sim:table_single --json no/where.json", "no");
 }

@@ -417,6 +417,26 @@ TEST (ObstacleDetection, MissingPointsAreUnmeasured)
   EXPECT_EQ (nothing.count (ObstacleClass::unmeasured), scene.cloud->size());
 }
 
+TEST (ObstacleDetection, PointsBeyondTheRangeOfTheSensorAreUnmeasured)
+{
+  const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});
+  for (const bool has_floor : {true, false}) {
+    const FloorScene scene (only_floor + a_box + behind, pose);
+    Detection detection;
+    setInput (detection, scene);
+    detection.setDepthNoise ({0.001f, 0.002f, 2.f});
+    if (!has_floor)
+      detection.setCameraToBase (cameraPose (5.f, 0.45f));
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_EQ (detection.isFloorFound(), has_floor);
+    for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+      EXPECT_EQ (result[i] != ObstacleClass::unmeasured,
+                 (*scene.cloud)[i].getVector3fMap().norm() <= 2.f)
+          << i;
+  }
+}
+
 TEST (ObstacleDetection, WithIndicesOnlyThesePointsAreLookedAt)
 {
   const FloorScene scene (only_floor + a_box, pose);

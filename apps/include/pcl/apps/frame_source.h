@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/apps/depth_image.h>
+#include <pcl/apps/point_labels.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/simulation/truth_point.h>
@@ -48,6 +49,8 @@ struct Frame {
   std::vector<Eigen::Vector4f> true_planes;
   /** Where the camera of a simulated frame is, see SimulatedFrame::camera_to_base. */
   std::optional<Eigen::Affine3f> camera_to_base;
+  /** What a .pcd file says about its points. */
+  PointLabels labels;
 };
 
 /** \brief The frames of an INPUT, each read when it is asked for. Throws AppError where

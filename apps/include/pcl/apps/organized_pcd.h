@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/apps/point_labels.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -19,9 +20,11 @@ namespace rgbd_planes {
  *
  * Throws AppError where the file is missing, no PCD, incomplete, damaged, unorganized
  * (a single row or column) or without coordinates.
+ *
+ * \param[out] labels if asked for, what readPointLabels() finds in the file
  */
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
-readOrganizedPcd (const std::string& file);
+readOrganizedPcd (const std::string& file, PointLabels* labels = nullptr);
 
 } // namespace rgbd_planes
 } // namespace pcl

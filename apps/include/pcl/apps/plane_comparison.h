@@ -3,11 +3,15 @@
 
 #pragma once
 
+#include <pcl/apps/curved_points.h>
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/object_label_evaluation.h>
 #include <pcl/apps/plane_evaluation.h>
 #include <pcl/apps/plane_methods.h>
+#include <pcl/apps/right_angles.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,16 +23,23 @@ struct PlaneResult {
   std::string method;
   /** "vga", "qvga" or "qqvga": every 1st, 2nd or 4th pixel. */
   std::string resolution;
+  /** For each frame, the fastest of three runs. */
   std::vector<double> milliseconds;
   PlaneEvaluation evaluation;
+  ObjectLabelEvaluation object_labels;
+  CurvedPoints curved;
+  RightAngles right_angles;
 };
 
 /** \brief Runs all methods on frames and scores the planes that they find. True planes
- * count from 1000 points per 640 x 480 pixels on, and methods drop smaller ones. */
+ * count from minPlanePoints() on, and methods drop smaller ones. */
 class PlaneComparison {
 public:
-  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4 */
-  explicit PlaneComparison (const std::vector<std::uint32_t>& steps);
+  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
+   * \param[in] right_angles which pairs of planes of the scenes are at right angles, if any
+   */
+  PlaneComparison (const std::vector<std::uint32_t>& steps,
+                   const std::optional<RightAngles::Pairs>& right_angles);
 
   /** \brief Adds a frame of full resolution. AppError where it is too small. */
   void
@@ -40,23 +51,20 @@ public:
     return results_;
   }
 
-  /** \brief The table for people. */
-  std::string
-  table () const;
-
-  /** \brief {"results": [{"method", "resolution", "ms_median", "planes_truth", ...}]};
-   * figures that need truth are null where no frame has it. */
-  std::string
-  json () const;
-
 private:
   struct Run {
     std::uint32_t step;
     PlaneMethod method;
-    std::size_t points; // of the frame before
     PlaneSet found;
   };
 
+  void
+  score (const Frame& frame,
+         const pcl::PointCloud<pcl::PointXYZ>& cloud,
+         const Run& run,
+         PlaneResult& result) const;
+
+  std::optional<RightAngles::Pairs> right_angles_;
   std::vector<Run> runs_;
   std::vector<PlaneResult> results_; // one for each run
 };

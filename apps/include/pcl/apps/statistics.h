@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace pcl {
@@ -20,6 +22,21 @@ median (std::vector<double> values)
   const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
   std::nth_element (values.begin(), middle, values.end());
   return *middle;
+}
+
+/** \brief NaN where there are no values. */
+inline double
+mean (const std::vector<double>& values)
+{
+  return std::accumulate (values.begin(), values.end(), 0.) /
+         static_cast<double> (values.size());
+}
+
+/** \brief \a part in percent of \a whole; NaN where there is no whole. */
+inline double
+percentOf (std::size_t part, std::size_t whole)
+{
+  return 100. * static_cast<double> (part) / static_cast<double> (whole);
 }
 
 } // namespace rgbd_planes

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -31,12 +32,19 @@ struct LabelledPlanes {
   }
 };
 
+/** \brief Whether a point is near enough for its sensor. */
+inline bool
+isUsed (float squared_range, const DepthNoise& noise)
+{
+  return squared_range <= noise.max_range * noise.max_range;
+}
+
 /** \brief The variance of the height of a point near a floor.
  *
  * Noise moves a point along its ray, and the flatter that meets the floor, the less the
  * height changes.
  * \param[in] camera_height distance of the camera from the floor
- * \return NaN or Inf for a point that is no measurement
+ * \return NaN or Inf for a point that is no measurement, or too far for one
  */
 inline float
 heightVariance (const float* point, float camera_height, const DepthNoise& noise)
@@ -44,7 +52,9 @@ heightVariance (const float* point, float camera_height, const DepthNoise& noise
   const float squared_range =
       point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
   const float sigma = camera_height * noise.sigma (squared_range);
-  return sigma * sigma / squared_range;
+  const float variance = sigma * sigma / squared_range;
+  return isUsed (squared_range, noise) ? variance
+                                       : std::numeric_limits<float>::quiet_NaN();
 }
 
 /** \brief How far \a point is above a floor. */

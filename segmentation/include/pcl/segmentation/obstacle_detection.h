@@ -149,7 +149,8 @@ public:
     return parameters_.min_cluster_size;
   }
 
-  /** \brief The noise of the sensor; default that of a Kinect v1. */
+  /** \brief The noise of the sensor; default that of a Kinect v1. Points beyond its range
+   * are unmeasured. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief What someone wrote down about the points of a recording; label 0 is for points
+ * that nothing is known of. */
+struct PointLabels {
+  enum class Kind {
+    none,
+    /** Labels of the object segmentation database mOSD: 1 to 9 are parts of the table,
+     * 20 to 29 those of the first object, 30 to 39 of the second, and so on. */
+    objects,
+    /** Points with the same label lie on the same plane. */
+    planes
+  };
+  Kind kind = Kind::none;
+  /** One for each point, none without a kind. */
+  pcl::PointCloud<pcl::Label> points;
+};
+
+/** \brief The labels that the fields of a cloud hold, where it is clear what they mean.
+ *
+ * Of the kind objects from a field label of unsigned 32-bit integers that all are numbers
+ * of mOSD, some of them of the table. Of the kind planes from a field intensity of 32-bit
+ * floats that are whole numbers, several ones, mostly the same for neighbours in a row, as in
+ * SynPEB. None from clouds
+ * with both fields, or with normals, as results of a segmentation have.
+ */
+PointLabels
+readPointLabels (const pcl::PCLPointCloud2& cloud);
+
+} // namespace rgbd_planes
+} // namespace pcl

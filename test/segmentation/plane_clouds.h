@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include "synthetic_clouds.h"
+
+#include <pcl/common/point_tests.h>
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace plane_clouds {
+
+using synthetic::Cloud;
+using synthetic::render;
+using synthetic::Scene;
+using synthetic::Surface;
+using synthetic::tiltedPlane;
+using Normals = pcl::PointCloud<pcl::Normal>;
+using Ours = pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>;
+
+/** The outputs, of the types that OrganizedMultiPlaneSegmentation takes. */
+struct Result {
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers, label_indices;
+  std::vector<Eigen::Vector4f, Eigen::aligned_allocator<Eigen::Vector4f>> centroids;
+  std::vector<Eigen::Matrix3f, Eigen::aligned_allocator<Eigen::Matrix3f>> covariances;
+  pcl::PointCloud<pcl::Label> labels;
+
+  Eigen::Vector3f
+  normal (std::size_t k) const
+  {
+    return Eigen::Vector3f (models[k].values.data());
+  }
+};
+
+inline Normals::Ptr
+estimateNormals (const Cloud::ConstPtr& cloud)
+{
+  auto normals = pcl::make_shared<Normals>();
+  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setInputCloud (cloud);
+  estimation.compute (*normals);
+  return normals;
+}
+
+template <typename Segmentation>
+void
+segment (Segmentation& segmentation, Result& result)
+{
+  segmentation.segment (result.models,
+                        result.inliers,
+                        result.centroids,
+                        result.covariances,
+                        result.labels,
+                        result.label_indices);
+}
+
+/** Sets the input of \a segmentation and runs it. */
+template <typename Segmentation>
+void
+segment (Segmentation& segmentation, const Cloud::ConstPtr& cloud, Result& result)
+{
+  segmentation.setInputCloud (cloud);
+  segmentation.setInputNormals (estimateNormals (cloud));
+  segment (segmentation, result);
+}
+
+inline void
+expectSame (const Result& a, const Result& b)
+{
+  ASSERT_EQ (a.models.size(), b.models.size());
+  ASSERT_EQ (a.inliers.size(), b.inliers.size());
+  ASSERT_EQ (a.centroids.size(), b.centroids.size());
+  ASSERT_EQ (a.covariances.size(), b.covariances.size());
+  ASSERT_EQ (a.label_indices.size(), b.label_indices.size());
+  for (std::size_t k = 0; k < a.models.size(); ++k) {
+    EXPECT_EQ (a.models[k].values, b.models[k].values);
+    EXPECT_EQ (a.inliers[k].indices, b.inliers[k].indices);
+    EXPECT_EQ (a.label_indices[k].indices, b.label_indices[k].indices);
+  }
+  ASSERT_EQ (a.labels.width, b.labels.width);
+  ASSERT_EQ (a.labels.height, b.labels.height);
+  for (std::size_t i = 0; i < a.labels.size(); ++i)
+    ASSERT_EQ (a.labels[i].label, b.labels[i].label) << i;
+}
+
+/** The points of planes, in percent of the measured points. */
+inline double
+coveredPercent (const Result& result, const Cloud& cloud)
+{
+  std::size_t measured = 0, covered = 0;
+  for (const auto& point : cloud)
+    measured += pcl::isFinite (point) && point.z != 0.f;
+  for (const auto& inliers : result.inliers)
+    covered += inliers.indices.size();
+  return 100. * static_cast<double> (covered) / static_cast<double> (measured);
+}
+
+inline float
+kinectSigma (float z)
+{
+  return 0.001f + 0.002f * z * z;
+}
+
+/** Two walls that meet, above a floor. */
+inline const std::vector<Surface>&
+corner ()
+{
+  static const std::vector<Surface> surfaces{tiltedPlane (2.f, 0.f, 50.f),
+                                             tiltedPlane (2.2f, 0.f, -40.f),
+                                             {{0.f, -1.f, 0.f}, 0.7f}};
+  return surfaces;
+}
+
+} // namespace plane_clouds

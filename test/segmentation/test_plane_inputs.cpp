@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_clouds.h"
+
+#include <pcl/common/io.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace plane_clouds;
+using synthetic::angleDegrees;
+
+namespace {
+
+/** Every surface is found once within \a degrees, and nothing else. */
+void
+expectNormals (const Result& result,
+               const std::vector<Eigen::Vector3f>& normals,
+               float degrees)
+{
+  ASSERT_EQ (result.models.size(), normals.size());
+  for (const auto& normal : normals) {
+    float nearest = 180.f;
+    for (std::size_t k = 0; k < result.models.size(); ++k)
+      nearest = std::min (nearest, angleDegrees (result.normal (k), normal));
+    EXPECT_LE (nearest, degrees);
+  }
+}
+
+std::vector<Eigen::Vector3f>
+cornerNormals ()
+{
+  std::vector<Eigen::Vector3f> normals;
+  for (const auto& surface : corner())
+    normals.push_back (surface.normal);
+  return normals;
+}
+
+std::size_t
+labelledPoints (const Result& result)
+{
+  return static_cast<std::size_t> (std::count_if (
+      result.labels.begin(), result.labels.end(), [] (const pcl::Label& label) {
+        return label.label != Ours::unlabelled;
+      }));
+}
+
+/** A scanner that turns in equal angles, x forward and z up, in a box of a room: no
+ * pinhole camera. */
+Cloud::Ptr
+scanRoom ()
+{
+  const std::vector<Eigen::Vector4f> room{{-1.f, 0.f, 0.f, 3.f},
+                                          {0.f, 1.f, 0.f, 1.5f},
+                                          {0.f, -1.f, 0.f, 1.2f},
+                                          {0.f, 0.f, 1.f, 1.f}};
+  std::mt19937 generator (4);
+  std::normal_distribution<float> noise (0.f, 0.002f);
+  auto cloud = pcl::make_shared<Cloud> (400, 300);
+  for (std::uint32_t v = 0; v < cloud->height; ++v)
+    for (std::uint32_t u = 0; u < cloud->width; ++u) {
+      const float azimuth = pcl::deg2rad (35.f - 0.175f * static_cast<float> (u));
+      const float elevation = pcl::deg2rad (20.f - 0.2f * static_cast<float> (v));
+      const Eigen::Vector3f ray (std::cos (elevation) * std::cos (azimuth),
+                                 std::cos (elevation) * std::sin (azimuth),
+                                 std::sin (elevation));
+      float range = std::numeric_limits<float>::infinity();
+      for (const auto& plane : room)
+        if (plane.head<3>().dot (ray) < 0.f)
+          range = std::min (range, -plane[3] / plane.head<3>().dot (ray));
+      (*cloud) (u, v).getVector3fMap() = (range + noise (generator)) * ray;
+    }
+  return cloud;
+}
+
+} // namespace
+
+TEST (PlaneInputs, OddSizes)
+{
+  Ours segmentation;
+  segmentation.setMinInliers (1);
+  Result result;
+  for (const auto& [width, height] : std::vector<std::pair<int, int>>{{2, 2},
+                                                                      {3, 2},
+                                                                      {2, 100},
+                                                                      {100, 2},
+                                                                      {3, 3},
+                                                                      {37, 23},
+                                                                      {641, 479},
+                                                                      {17, 1001}}) {
+    const Scene scene = render ({tiltedPlane (1.f, 10.f, 20.f)}, width, height);
+    segment (segmentation, scene.cloud, result);
+    EXPECT_EQ (result.labels.width, static_cast<std::uint32_t> (width));
+    EXPECT_EQ (result.labels.height, static_cast<std::uint32_t> (height));
+    if (width < 37 || height < 23)
+      continue;
+    ASSERT_EQ (result.models.size(), 1u) << width << " x " << height;
+    EXPECT_EQ (result.inliers[0].indices.size(), scene.cloud->size());
+  }
+}
+
+TEST (PlaneInputs, NormalsMayBeMissing)
+{
+  const Scene scene = render (corner(), 320, 240);
+  const Normals::Ptr normals = estimateNormals (scene.cloud);
+  for (std::size_t i = 0; i < normals->size(); ++i)
+    if (i % 3 != 0)
+      (*normals)[i] = pcl::Normal (synthetic::nan, synthetic::nan, synthetic::nan);
+  Ours segmentation;
+  segmentation.setMinInliers (250);
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (normals);
+  Result result;
+  segment (segmentation, result);
+  expectNormals (result, cornerNormals(), 0.2f);
+  for (auto& normal : *normals)
+    normal.normal_x = synthetic::nan;
+  segment (segmentation, result);
+  EXPECT_TRUE (result.models.empty());
+  EXPECT_EQ (labelledPoints (result), 0u);
+}
+
+TEST (PlaneInputs, CloudsThatAreNotProjective)
+{
+  Ours segmentation;
+  Result result;
+  segment (segmentation, scanRoom(), result);
+  expectNormals (result,
+                 {{-1.f, 0.f, 0.f}, {0.f, 1.f, 0.f}, {0.f, -1.f, 0.f}, {0.f, 0.f, 1.f}},
+                 0.3f);
+  EXPECT_GE (labelledPoints (result), result.labels.size() * 95 / 100);
+}
+
+TEST (PlaneInputs, CopiesWorkOnTheirOwn)
+{
+  const Scene first = render (corner(), 320, 240, kinectSigma);
+  const Scene second = render ({tiltedPlane (1.f, 0.f, 0.f)}, 160, 120);
+  Ours original;
+  original.setMinInliers (250);
+  Result expected, result;
+  segment (original, first.cloud, expected);
+  Ours copy = original;
+  segment (copy, second.cloud, result);
+  EXPECT_EQ (result.models.size(), 1u);
+  segment (original, result);
+  expectSame (result, expected);
+  copy = original;
+  segment (copy, result);
+  expectSame (result, expected);
+}
+
+TEST (PlaneInputs, OtherPointTypes)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  Ours plain;
+  plain.setMinInliers (250);
+  Result expected, result;
+  segment (plain, scene.cloud, expected);
+
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGBNormal>>();
+  pcl::copyPointCloud (*scene.cloud, *cloud);
+  pcl::copyPointCloud (*plain.getInputNormals(), *cloud);
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZRGBNormal, pcl::PointXYZRGBNormal>
+      coloured;
+  coloured.setMinInliers (250);
+  coloured.setInputCloud (cloud);
+  coloured.setInputNormals (cloud);
+  segment (coloured, result);
+  expectSame (result, expected);
+}
+
+TEST (PlaneInputs, EverySetterHasAnEffect)
+{
+  const auto small = [] (int u, int v) { return u < 40 && v < 40; };
+  const Scene scene = render (
+      {tiltedPlane (2.f, 0.f, 0.f), {tiltedPlane (1.f, 0.f, 30.f).normal, 0.9f, small}},
+      640,
+      480,
+      kinectSigma);
+  Ours segmentation;
+  Result result;
+  segmentation.setMinInliers (1000);
+  segment (segmentation, scene.cloud, result);
+  EXPECT_EQ (result.models.size(), 2u);
+  const std::size_t wall = result.inliers[0].indices.size();
+  segmentation.setMinInliers (2000);
+  segment (segmentation, result);
+  EXPECT_EQ (result.models.size(), 1u);
+  segmentation.setMinInliers (1000);
+  segmentation.setDistanceThreshold (0.002); // less than the noise
+  segment (segmentation, result);
+  ASSERT_FALSE (result.inliers.empty());
+  EXPECT_LT (result.inliers[0].indices.size(), wall * 3 / 4);
+  segmentation.setDistanceThreshold (0.009);
+  segmentation.setMaximumCurvature (0.);
+  segment (segmentation, result);
+  EXPECT_TRUE (result.models.empty()) << "noise bends everything";
+}
