@@ -18,18 +18,19 @@ constexpr float off_sigmas = 3.f;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
 
-/** Calls visit (i, plane) for about every 64th point that is measured and on a plane. */
+/** Calls visit (point, plane) for about every 64th point that is usable and on a plane. */
 template <typename Visit>
 void
 forEachSample (const OrganizedPoints& points,
                const LabelledPlanes& planes,
+               const DepthNoise& noise,
                const Visit& visit)
 {
   const int step = std::max (points.width / 80, 1);
   for (int v = step / 2; v < points.height; v += step)
     for (int u = step / 2; u < points.width; u += step) {
       const auto i = static_cast<std::size_t> (v * points.width + u);
-      if (planes[i] < planes.coefficients.size() && isMeasured (points[i]))
+      if (planes[i] < planes.coefficients.size() && isUsable (points[i], noise))
         visit (points[i], planes[i]);
     }
 }
@@ -46,7 +47,7 @@ FloorPlane::find (const OrganizedPoints& points,
 {
   const Eigen::Vector4f height = camera_to_base.matrix().row (2);
   samples_.assign (planes.coefficients.size(), {});
-  forEachSample (points, planes, [&] (const float* p, std::uint32_t plane) {
+  forEachSample (points, planes, noise, [&] (const float* p, std::uint32_t plane) {
     samples_[plane].height += heightAbove (height, p);
     ++samples_[plane].points;
   });
@@ -78,7 +79,7 @@ FloorPlane::compare (const OrganizedPoints& points,
   for (std::size_t k = 0; k < samples_.size(); ++k)
     samples_[k].is_tilted =
         planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
-  forEachSample (points, planes, [&] (const float* p, std::uint32_t plane) {
+  forEachSample (points, planes, noise, [&] (const float* p, std::uint32_t plane) {
     const float height = heightAbove (coefficients_, p);
     const float variance = heightVariance (p, coefficients_[3], noise);
     samples_[plane].off += height * height > off_sigmas * off_sigmas * variance;

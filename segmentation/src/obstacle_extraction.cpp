@@ -11,16 +11,6 @@
 namespace pcl {
 namespace rgbd_planes {
 
-namespace {
-
-bool
-isUsable (const float* p, const DepthNoise& noise)
-{
-  return isMeasured (p) && isUsed (p[0] * p[0] + p[1] * p[1] + p[2] * p[2], noise);
-}
-
-} // namespace
-
 void
 ObstacleExtraction::compute (const OrganizedPoints& points,
                              const OrganizedNormals& normals,

@@ -19,6 +19,9 @@ constexpr int cells_in_row = 160;
 // depth moves their means, though not their noise, as much as that of points.
 constexpr float point_sigmas = 4.5f;
 constexpr float window_sigmas = 2.75f;
+/** Below the floor: real sensors also measure far depth too long, which bends floors
+ * downwards by more than their noise. */
+constexpr float drop_sigmas = 8.f;
 /** Of the 9 of a window. */
 constexpr int enough_samples = 5;
 
@@ -123,9 +126,11 @@ ObstaclePoints::classifyRow (std::size_t first, std::vector<ObstacleClass>& clas
   for (int u = 0; u < width; ++u) {
     const float height = heights[u], variance = variances[u];
     const int is_measured = variance <= std::numeric_limits<float>::max();
-    const int is_off = height * height > square (point_sigmas) * variance;
-    const int is_obstacle = is_measured & is_off & (height > parameters.min_height);
-    const int is_drop_off = is_measured & is_off & (height < -parameters.min_drop);
+    const float squared = height * height;
+    const int is_obstacle = is_measured & (squared > square (point_sigmas) * variance) &
+                            (height > parameters.min_height);
+    const int is_drop_off = is_measured & (squared > square (drop_sigmas) * variance) &
+                            (height < -parameters.min_drop);
     const int may_be_floor = is_measured - is_obstacle - is_drop_off;
     result[u] = is_measured + is_obstacle + 2 * is_drop_off;
     high[u] = may_be_floor & static_cast<int> (isHigh (height, variance, parameters));

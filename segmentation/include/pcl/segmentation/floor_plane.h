@@ -32,11 +32,13 @@ struct LabelledPlanes {
   }
 };
 
-/** \brief Whether a point is near enough for its sensor. */
+/** \brief Whether \a point is a measurement, and near enough for its sensor. */
 inline bool
-isUsed (float squared_range, const DepthNoise& noise)
+isUsable (const float* point, const DepthNoise& noise)
 {
-  return squared_range <= noise.max_range * noise.max_range;
+  const float squared_range =
+      point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
+  return isMeasured (point) && squared_range <= noise.max_range * noise.max_range;
 }
 
 /** \brief The variance of the height of a point near a floor.
@@ -53,8 +55,9 @@ heightVariance (const float* point, float camera_height, const DepthNoise& noise
       point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
   const float sigma = camera_height * noise.sigma (squared_range);
   const float variance = sigma * sigma / squared_range;
-  return isUsed (squared_range, noise) ? variance
-                                       : std::numeric_limits<float>::quiet_NaN();
+  return squared_range <= noise.max_range * noise.max_range
+             ? variance
+             : std::numeric_limits<float>::quiet_NaN();
 }
 
 /** \brief How far \a point is above a floor. */
