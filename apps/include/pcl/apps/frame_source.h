@@ -9,6 +9,8 @@
 #include <pcl/point_types.h>
 #include <pcl/simulation/truth_point.h>
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -45,6 +47,8 @@ struct Frame {
   pcl::PointCloud<TruthPoint>::Ptr truth;
   /** The planes of a simulated frame, see SimulatedFrame::planes. */
   std::vector<Eigen::Vector4f> true_planes;
+  /** Where the camera of a simulated frame is, see SimulatedFrame::camera_to_base. */
+  std::optional<Eigen::Affine3f> camera_to_base;
   /** What a .pcd file says about its points. */
   PointLabels labels;
 };
