@@ -18,9 +18,10 @@ constexpr float clear_sigmas = 3.f;
 /** Objects have so many clear points, in parts of min_points and of their own points. */
 constexpr double clear_of_min_points = 0.5;
 constexpr double clear_of_points = 0.25;
-/** A cluster that hangs together with the outside along more than a part of its width,
- * which is the square root of its points, is cut off from something larger. */
-constexpr double max_leak = 0.25;
+/** A cluster that hangs together with the outside in more than a few points, and along more
+ * than a part of its width, the square root of its points, is cut off from something larger. */
+constexpr double few_leaks = 3.;
+constexpr double max_leak = 0.1;
 
 } // namespace
 
@@ -181,7 +182,7 @@ ObjectClusters::isObject (const Sums& sums) const
   return sums.points >= parameters_.min_points &&
          clear >= clear_of_min_points * parameters_.min_points &&
          clear >= clear_of_points * points &&
-         static_cast<double> (sums.leaks) <= max_leak * std::sqrt (points);
+         static_cast<double> (sums.leaks) <= few_leaks + max_leak * std::sqrt (points);
 }
 
 void

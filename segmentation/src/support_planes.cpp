@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace pcl {
@@ -18,6 +19,9 @@ constexpr int ransac_trials = 30;
 constexpr float ransac_sigmas = 1.5f;
 constexpr std::size_t refit_points = 4000;
 constexpr float refit_sigmas = 3.f;
+/** Heights of planes are uncertain by so many standard deviations of depth: the floor is
+ * within a range that starts at 0. */
+constexpr float height_sigmas = 3.f;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
 float
@@ -85,9 +89,10 @@ SupportPlanes::compute (const OrganizedPoints& points,
     for (const auto& p : sample_)
       center += p / static_cast<float> (sample_.size());
     const float height = up.dot (center) + camera_height;
+    const float noise = height_sigmas * parameters.noise.sigma (center.squaredNorm());
     if (!(plane.normal.dot (up) >= min_cosine) ||
-        !(height >= parameters.min_plane_height &&
-          height <= parameters.max_plane_height))
+        !(height >= parameters.min_plane_height - noise &&
+          height <= parameters.max_plane_height + noise))
       continue;
     supports_.resize (std::max (supports_.size(), count + 1));
     SupportPlane& support = supports_[count++];
@@ -178,21 +183,20 @@ SupportPlanes::outline (const OrganizedPoints& points,
                                          Eigen::Map<const Eigen::Vector3f> (p),
                                          parameters.noise) < refit_sigmas;
   };
-  int row = -1;
-  pcl::index_t last = 0;
-  for (const auto index : inliers) {
-    if (!agrees (index))
-      continue;
-    if (index / points.width != row) {
-      if (row >= 0)
-        border_.push_back (support.project (points[static_cast<std::size_t> (last)]));
-      border_.push_back (support.project (points[static_cast<std::size_t> (index)]));
-      row = index / points.width;
+  for (auto row = inliers.begin(); row != inliers.end();) {
+    const auto next_row = std::max (
+        std::lower_bound (row, inliers.end(), (*row / points.width + 1) * points.width),
+        row + 1);
+    const auto first = std::find_if (row, next_row, agrees);
+    if (first != next_row) {
+      const auto last = std::find_if (std::make_reverse_iterator (next_row),
+                                      std::make_reverse_iterator (first),
+                                      agrees);
+      border_.push_back (support.project (points[static_cast<std::size_t> (*first)]));
+      border_.push_back (support.project (points[static_cast<std::size_t> (*last)]));
     }
-    last = index;
+    row = next_row;
   }
-  if (row >= 0)
-    border_.push_back (support.project (points[static_cast<std::size_t> (last)]));
   support.outline.compute (border_, parameters.hull_tolerance);
 }
 

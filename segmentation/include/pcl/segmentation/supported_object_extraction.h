@@ -124,7 +124,7 @@ public:
   }
 
   /** \brief Heights of supporting planes in the base frame, where their points are on
-   * average; metres, default 0 to 1.2. */
+   * average, give or take 3 standard deviations of depth; metres, default 0 to 1.2. */
   void
   setPlaneHeights (double lowest, double highest);
 
