@@ -238,6 +238,7 @@ FrameSource::addFile (const fs::path& file)
     refuseDepthOptions (options_, file);
     frames_.push_back ({file.stem(), [file] (Frame& frame) {
                           frame.cloud = readOrganizedPcd (file);
+                          frame.pcd_file = file;
                         }});
     return;
   }

@@ -169,5 +169,25 @@ readOrganizedPcd (const std::string& file)
   return cloud;
 }
 
+std::vector<std::uint32_t>
+readPcdLabels (const std::string& file)
+{
+  const QuietPcl quiet;
+  checkFile (file);
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  const pcl::PCLPointCloud2 blob = readCloud (file, origin, orientation);
+  const auto* field = findField (blob, "label");
+  std::vector<std::uint32_t> labels;
+  if (!field || field->datatype != pcl::PCLPointField::UINT32)
+    return labels;
+  labels.resize (std::size_t{blob.width} * blob.height);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    std::memcpy (&labels[i],
+                 blob.data.data() + i * blob.point_step + field->offset,
+                 sizeof (labels[i]));
+  return labels;
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

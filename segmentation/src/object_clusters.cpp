@@ -16,7 +16,7 @@ constexpr float stretch = 3.f;
 /** A point so many standard deviations above a plane is not there by noise. */
 constexpr float clear_sigmas = 3.f;
 /** Objects have so many clear points, in parts of min_points and of their own points. */
-constexpr double clear_of_min_points = 0.5;
+constexpr double clear_of_min_points = 0.8;
 constexpr double clear_of_points = 0.25;
 /** A cluster that hangs together with the outside in more than a few points, and along more
  * than a part of its width, the square root of its points, is cut off from something larger. */

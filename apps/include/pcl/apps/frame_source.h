@@ -46,6 +46,8 @@ struct Frame {
   std::vector<Eigen::Vector4f> true_planes;
   /** The loose things of a simulated frame, see SimulatedFrame::objects. */
   std::vector<TrueObject> true_objects;
+  /** Where a frame from a .pcd file is from, empty for others. */
+  std::filesystem::path pcd_file;
   /** Where the camera of a simulated frame is, see SimulatedFrame::camera_to_base. */
   std::optional<Eigen::Affine3f> camera_to_base;
 };

@@ -6,7 +6,9 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -22,6 +24,11 @@ namespace rgbd_planes {
  */
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readOrganizedPcd (const std::string& file);
+
+/** \brief The labels of the points of a file that readOrganizedPcd() takes: its field \c label,
+ * 32-bit and unsigned, or nothing where there is none. */
+std::vector<std::uint32_t>
+readPcdLabels (const std::string& file);
 
 } // namespace rgbd_planes
 } // namespace pcl
