@@ -29,6 +29,8 @@ void
 ConcaveSplit::compute (const OrganizedPoints& points,
                        const OrganizedNormals& normals,
                        float pixel_angle,
+                       const std::vector<SegmentedPlane>& planes,
+                       const std::vector<SupportPlane>& supports,
                        const ObjectParameters& parameters,
                        std::vector<ObjectCluster>& clusters)
 {
@@ -42,6 +44,7 @@ ConcaveSplit::compute (const OrganizedPoints& points,
   startParts (clusters);
   growParts();
   collect (clusters);
+  settle (planes, supports, clusters);
 }
 
 void
@@ -199,6 +202,39 @@ ConcaveSplit::collect (std::vector<ObjectCluster>& clusters)
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (owner_[i] != 0)
       clusters[part_[i] - 1].indices.push_back (static_cast<pcl::index_t> (i));
+}
+
+/** The part that most of a plane belongs to, from 1 on, or 0. */
+std::uint32_t
+ConcaveSplit::partWithPlane (const pcl::Indices& inliers)
+{
+  plane_points_.assign (part_support_.size() + 1, 0);
+  for (const auto index : inliers) {
+    const auto i = static_cast<std::size_t> (index);
+    ++plane_points_[owner_[i] != 0 ? part_[i] : 0];
+  }
+  const auto most = std::max_element (plane_points_.begin() + 1, plane_points_.end());
+  constexpr double nearly_all = 0.8;
+  if (most == plane_points_.end() ||
+      static_cast<double> (*most) < nearly_all * static_cast<double> (inliers.size()))
+    return 0;
+  return static_cast<std::uint32_t> (most - plane_points_.begin());
+}
+
+void
+ConcaveSplit::settle (const std::vector<SegmentedPlane>& planes,
+                      const std::vector<SupportPlane>& supports,
+                      std::vector<ObjectCluster>& clusters)
+{
+  for (std::size_t k = supports.size(); k-- > 0;) { // the highest one counts
+    if (!supports[k].is_on_object)
+      continue;
+    const std::uint32_t part = partWithPlane (*planes[supports[k].index].inliers);
+    for (std::size_t c = 0; part != 0 && c < clusters.size(); ++c)
+      if (c + 1 != part &&
+          liesAbove (points_, clusters[c].indices, supports[k], parameters_))
+        clusters[c].support = k;
+  }
 }
 
 } // namespace rgbd_planes

@@ -200,27 +200,20 @@ SupportPlanes::outline (const OrganizedPoints& points,
   support.outline.compute (border_, parameters.hull_tolerance);
 }
 
-void
-SupportPlanes::settle (const OrganizedPoints& points,
-                       const ObjectParameters& parameters,
-                       const pcl::Indices& thing,
-                       std::size_t& support) const
+bool
+liesAbove (const OrganizedPoints& points,
+           const pcl::Indices& thing,
+           const SupportPlane& support,
+           const ObjectParameters& parameters)
 {
   constexpr std::size_t sample = 100;
   constexpr double nearly_all = 0.9;
-  for (std::size_t k = 0; k < support; ++k) {
-    if (!supports_[k].is_on_object)
-      continue;
-    std::size_t over = 0, all = 0;
-    sampleInliers (points, thing, sample, [&] (const auto& p) {
-      ++all;
-      over += levelOf (p.data(), supports_[k], parameters) == Level::above;
-    });
-    if (static_cast<double> (over) >= nearly_all * static_cast<double> (all)) {
-      support = k;
-      return;
-    }
-  }
+  std::size_t above = 0, all = 0;
+  sampleInliers (points, thing, sample, [&] (const auto& p) {
+    ++all;
+    above += levelOf (p.data(), support, parameters) == Level::above;
+  });
+  return static_cast<double> (above) >= nearly_all * static_cast<double> (all);
 }
 
 } // namespace rgbd_planes

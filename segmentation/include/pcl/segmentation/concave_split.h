@@ -22,14 +22,21 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS ConcaveSplit {
 public:
-  /** \brief Replaces \a clusters by their parts, each with its support.
+  /** \brief Replaces \a clusters by their parts.
+   *
+   * A part that lies above the top of another one, where that is among the supporting planes,
+   * rests on it.
    * \param[in] normals one for each point; those that are NaN cut nothing
    * \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians
+   * \param[in] planes all planes that were found
+   * \param[in] supports the horizontal ones among them, from the highest to the lowest
    */
   void
   compute (const OrganizedPoints& points,
            const OrganizedNormals& normals,
            float pixel_angle,
+           const std::vector<SegmentedPlane>& planes,
+           const std::vector<SupportPlane>& supports,
            const ObjectParameters& parameters,
            std::vector<ObjectCluster>& clusters);
 
@@ -58,6 +65,14 @@ private:
   void
   collect (std::vector<ObjectCluster>& clusters);
 
+  std::uint32_t
+  partWithPlane (const pcl::Indices& inliers);
+
+  void
+  settle (const std::vector<SegmentedPlane>& planes,
+          const std::vector<SupportPlane>& supports,
+          std::vector<ObjectCluster>& clusters);
+
   /** \brief Calls visit (j) for the neighbours of \a i that are of the same cluster. */
   template <typename Visit>
   void
@@ -74,6 +89,7 @@ private:
   std::vector<std::uint32_t> part_;       // of each point, from 1 on, or 0
   std::vector<std::size_t> part_support_;
   std::vector<std::uint32_t> queue_;
+  std::vector<std::size_t> plane_points_; // of a plane in each part
 };
 
 } // namespace rgbd_planes

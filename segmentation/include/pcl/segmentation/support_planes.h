@@ -86,6 +86,13 @@ levelOf (const float* p,
   return height > 0.f ? Level::above : Level::elsewhere;
 }
 
+/** \brief Whether nearly all points of a thing lie above a plane, and over its hull. */
+PCL_RGBD_PLANES_EXPORTS bool
+liesAbove (const OrganizedPoints& points,
+           const pcl::Indices& thing,
+           const SupportPlane& support,
+           const ObjectParameters& parameters);
+
 /** \brief Finds the horizontal planes in a range of heights, optimises their models and
  * computes their hulls (Holz et al. 2011, section 5.1). */
 class PCL_RGBD_PLANES_EXPORTS SupportPlanes {
@@ -103,16 +110,6 @@ public:
   {
     return supports_;
   }
-
-  /** \brief Changes \a support, the plane under a thing, to a higher one on an object that
-   * nearly all points of the thing lie above.
-   * \param[in,out] support among planes()
-   */
-  void
-  settle (const OrganizedPoints& points,
-          const ObjectParameters& parameters,
-          const pcl::Indices& thing,
-          std::size_t& support) const;
 
 private:
   /** \brief The plane that most of a sample of the points agree on: RANSAC that starts

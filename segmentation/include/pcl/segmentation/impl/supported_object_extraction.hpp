@@ -219,10 +219,10 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
       points,
       {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
       clustering_.pixelAngle(),
+      planes_,
+      supports_.planes(),
       parameters_,
       clusters_);
-  for (auto& cluster : clusters_)
-    supports_.settle (points, parameters_, cluster.indices, cluster.support);
 }
 
 template <typename PointT, typename PointNT>
