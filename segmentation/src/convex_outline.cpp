@@ -50,18 +50,32 @@ sortByX (std::vector<Vector2f>& points)
 } // namespace
 
 void
+convexHull (std::vector<Vector2f>& points, std::vector<Vector2f>& corners)
+{
+  sortByX (points);
+  corners.clear();
+  std::size_t fixed = 1; // corners that the chain at hand cannot drop
+  const auto add = [&] (const Vector2f& point) {
+    while (corners.size() > fixed &&
+           cross (corners[corners.size() - 2], corners.back(), point) <= 0.f)
+      corners.pop_back();
+    corners.push_back (point);
+  };
+  std::for_each (points.begin(), points.end(), add);
+  fixed = corners.size();
+  std::for_each (points.rbegin(), points.rend(), add);
+  if (corners.size() > 1)
+    corners.pop_back(); // the first one again
+}
+
+void
 ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
 {
   corners_.clear();
   right_ = left_ - 1.f;
   if (points.empty())
     return;
-  sortByX (points);
-  appendChain (points, 1.f, lower_.points);
-  appendChain (points, -1.f, upper_.points);
-  corners_ = lower_.points;
-  for (std::size_t i = upper_.points.size() - 1; i-- > 1;)
-    corners_.push_back (upper_.points[i]);
+  convexHull (points, corners_);
 
   grown_.clear();
   for (const auto& corner : corners_)

@@ -13,7 +13,7 @@ namespace rgbd_planes {
 namespace {
 
 /** So many points tell the sides of a box as well as all of them. */
-constexpr std::size_t max_points = 600;
+constexpr std::size_t max_points = 400;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
 
@@ -85,8 +85,8 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
     values_.push_back (support.plane.distance (p));
   }
   const float height = trimmedRange (values_).high;
-  hull_.compute (projected_, 0.f);
-  const Eigen::Vector2f along = smallestRectangle (hull_.corners());
+  convexHull (projected_, hull_);
+  const Eigen::Vector2f along = smallestRectangle (hull_);
   const Eigen::Vector2f across (-along.y(), along.x());
   const auto rangeAlong = [&] (const Eigen::Vector2f& direction) {
     values_.clear();

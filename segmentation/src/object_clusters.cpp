@@ -72,32 +72,36 @@ ObjectClusters::measurePixelAngle()
 void
 ObjectClusters::placePoints (const std::vector<std::uint8_t>& selected)
 {
+  constexpr std::size_t max_bases = 250;
+  bases_.clear();
+  for (std::size_t k = 0; k < std::min (supports_->size(), max_bases); ++k)
+    if (!(*supports_)[k].is_on_object)
+      bases_.push_back ({(*supports_)[k].plane, k});
   place_.resize (points_.size());
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    const bool counts = (selected.empty() || selected[i]) && isMeasured (points_[i]);
-    place_[i] = counts ? placeOf (points_[i]) : nowhere;
+    place_[i] = selected.empty() || selected[i] ? placeOf (points_[i]) : nowhere;
     if (place_[i] >= above)
       candidates_.push_back (i);
   }
 }
 
+/** Points that are not measured are nowhere or outside, where they are close to none. */
 ObjectClusters::Place
 ObjectClusters::placeOf (const float* p) const
 {
-  constexpr std::size_t max_supports = 250;
-  const std::size_t supports = std::min (supports_->size(), max_supports);
-  for (std::size_t k = 0; k < supports; ++k) {
-    const SupportPlane& support = (*supports_)[k];
-    if (support.is_on_object)
-      continue;
+  for (const Base& base : bases_) {
+    const float height = base.plane.distance (p);
     // Most points of a frame: saves the hull, which makes no difference for them.
-    if (std::fabs (support.plane.distance (p)) <= 0.5f * parameters_.min_object_height)
+    if (std::fabs (height) <= 0.5f * parameters_.min_object_height)
       return nowhere;
-    const Level level = levelOf (p, support, parameters_);
-    if (level == Level::on_plane)
+    if (std::fabs (height) > parameters_.max_object_height)
+      continue;
+    const Level level = levelOf (p, (*supports_)[base.support], parameters_);
+    if (level == Level::on_plane || (level == Level::above && !isMeasured (p)))
       return nowhere;
     if (level == Level::above)
-      return isUnder (k, p) ? outside : static_cast<Place> (above + k);
+      return isUnder (base.support, p) ? outside
+                                       : static_cast<Place> (above + base.support);
   }
   return outside;
 }

@@ -12,12 +12,20 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The convex hull of points of a plane (Andrew's monotone chain, 1979) in O(n log n).
+ * \param[in,out] points any order, repeated ones are fine; comes back sorted
+ * \param[out] corners counterclockwise; fewer than 3 where the points lie on a line
+ */
+PCL_RGBD_PLANES_EXPORTS void
+convexHull (std::vector<Eigen::Vector2f>& points,
+            std::vector<Eigen::Vector2f>& corners);
+
 /** \brief The convex hull of points of a plane, and which points lie within it or near
  * it. */
 class PCL_RGBD_PLANES_EXPORTS ConvexOutline {
 public:
-  /** \brief Computes the hull (Andrew's monotone chain, 1979) in O(n log n).
-   * \param[in,out] points any order, repeated ones are fine; comes back sorted
+  /** \brief Computes the hull.
+   * \param[in,out] points as for convexHull()
    * \param[in] tolerance points so far outside count as inside; 0 or more
    */
   void

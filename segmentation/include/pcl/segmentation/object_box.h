@@ -36,7 +36,7 @@ public:
 private:
   std::vector<Eigen::Vector2f> projected_;
   std::vector<float> values_;
-  ConvexOutline hull_;
+  std::vector<Eigen::Vector2f> hull_;
 };
 
 } // namespace rgbd_planes

@@ -54,6 +54,12 @@ private:
   /** \brief Where a point is: from \ref above on, above that one of the supporting planes. */
   enum Place : std::uint8_t { nowhere, outside, above };
 
+  /** \brief A plane that is not on an object. */
+  struct Base {
+    Plane plane;
+    std::size_t support = 0; /**< among the supporting planes */
+  };
+
   /** \brief What decides whether a cluster is an object. */
   struct Sums {
     std::size_t points = 0;
@@ -96,6 +102,7 @@ private:
   OrganizedPoints points_;
   const std::vector<SupportPlane>* supports_ = nullptr;
   ObjectParameters parameters_;
+  std::vector<Base> bases_;
   float pixel_angle_ = 0.f;
   std::vector<std::uint8_t> place_;
   std::vector<std::uint32_t> candidates_;
