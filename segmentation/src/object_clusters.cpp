@@ -91,13 +91,13 @@ ObjectClusters::placeOf (const float* p) const
 {
   for (const Base& base : bases_) {
     const float height = base.plane.distance (p);
-    // Most points of a frame: saves the hull, which makes no difference for them.
-    if (std::fabs (height) <= 0.5f * parameters_.min_object_height)
-      return nowhere;
     if (std::fabs (height) > parameters_.max_object_height)
       continue;
+    // Most points of a frame; outside of the hull it makes no difference for them.
+    if (isWithinNoise (p, base.plane, height, parameters_))
+      return nowhere;
     const Level level = levelOf (p, (*supports_)[base.support], parameters_);
-    if (level == Level::on_plane || (level == Level::above && !isMeasured (p)))
+    if (level == Level::above && !isMeasured (p))
       return nowhere;
     if (level == Level::above)
       return isUnder (base.support, p) ? outside

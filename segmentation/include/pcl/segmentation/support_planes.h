@@ -12,7 +12,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -64,24 +63,35 @@ struct SupportPlane {
 /** \brief Where a point is with respect to a supporting plane. */
 enum class Level { elsewhere, on_plane, above };
 
-/** \brief Whether \a p lies on a plane or up to the largest height of an object above it.
- *
- * Points above it by less than half the smallest height of an object, or 2 standard
- * deviations, count as points of the plane; so do points that much below.
- */
+/** \brief Whether a point at \a height above \a plane may belong to it: within half the smallest
+ * height of an object, or 2 standard deviations. */
+inline bool
+isWithinNoise (const float* p,
+               const Plane& plane,
+               float height,
+               const ObjectParameters& parameters)
+{
+  constexpr float sigmas = 2.f;
+  if (std::fabs (height) <= 0.5f * parameters.min_object_height)
+    return true;
+  // As SupportPlane::heightSigma(), without division and root.
+  const float squared = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  const float noise = sigmas * parameters.noise.sigma (squared) * (height - plane.d);
+  return height * height * squared <= noise * noise;
+}
+
+/** \brief Whether \a p lies on a plane, or up to the largest height of an object above it, in
+ * both cases inside of its outline. */
 inline Level
 levelOf (const float* p,
          const SupportPlane& support,
          const ObjectParameters& parameters)
 {
-  constexpr float sigmas = 2.f;
   const float height = support.plane.distance (p);
   if (height > parameters.max_object_height || height < -parameters.max_object_height ||
       !support.outline.contains (support.project (p)))
     return Level::elsewhere;
-  const float noise = std::max (0.5f * parameters.min_object_height,
-                                sigmas * support.heightSigma (p, parameters.noise));
-  if (std::fabs (height) <= noise)
+  if (isWithinNoise (p, support.plane, height, parameters))
     return Level::on_plane;
   return height > 0.f ? Level::above : Level::elsewhere;
 }
