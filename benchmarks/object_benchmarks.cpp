@@ -19,7 +19,7 @@ findObjects (benchmark::State& state,
              const BaseTransforms& camera_to_base,
              const ObjectMethod& method)
 {
-  constexpr std::size_t fewest = 12; // as in ObjectComparison
+  constexpr std::size_t fewest = 20; // as in ObjectComparison
   ObjectInput input;
   input.min_points = static_cast<unsigned> (
       std::max (clouds.front()->size() * 50 / (640 * 480), fewest));

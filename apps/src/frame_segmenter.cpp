@@ -140,7 +140,7 @@ FrameSegmenter::findObjects (const Frame& frame,
     extraction_.setBaseTransform (baseOnPlane (coefficients_.front().values));
     extraction_.setPlaneHeights (-anywhere, anywhere);
   }
-  extraction_.setMinPoints (inProportion (50, frame.cloud->size(), 12));
+  extraction_.setMinPoints (inProportion (50, frame.cloud->size(), 20));
   extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);
   extraction_.setInputNormals (normals_);

@@ -94,7 +94,7 @@ ObjectComparison::add (const Frame& frame)
     input.cloud =
         pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
     input.camera_to_base = frame.camera_to_base;
-    constexpr std::size_t fewest = 12;
+    constexpr std::size_t fewest = 20;
     input.min_points = static_cast<unsigned> (
         std::max (input.cloud->size() * 50 / (640 * 480), fewest));
     // The first run pays for memory that later ones find in place.

@@ -40,7 +40,7 @@ public:
   ObjectComparison (const std::vector<std::uint32_t>& steps, bool with_peers);
 
   /** \brief Adds a frame of full resolution; one without truth is left out. Objects need 50
-   * points per 640 x 480 pixels, and no fewer than 12.
+   * points per 640 x 480 pixels, and no fewer than 20.
    * \return whether truth was known
    */
   bool
