@@ -6,8 +6,6 @@
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/object_methods.h>
 
-#include <algorithm>
-
 namespace pcl {
 namespace rgbd_planes {
 
@@ -19,10 +17,8 @@ findObjects (benchmark::State& state,
              const BaseTransforms& camera_to_base,
              const ObjectMethod& method)
 {
-  constexpr std::size_t fewest = 20; // as in ObjectComparison
   ObjectInput input;
-  input.min_points = static_cast<unsigned> (
-      std::max (clouds.front()->size() * 50 / (640 * 480), fewest));
+  input.min_points = minObjectPoints (clouds.front()->size());
   std::vector<FoundObject> found;
   std::size_t frame = 0; // the clouds come in turn
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {

@@ -3,6 +3,7 @@
 
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/object_comparison.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/common/io.h>
 #include <pcl/features/impl/organized_cloud_view.h>
@@ -39,12 +40,6 @@ number (double value, const char* format)
   return std::isnan (value) ? "-" : (boost::format (format) % value).str();
 }
 
-nlohmann::ordered_json
-orNull (double value)
-{
-  return std::isnan (value) ? nlohmann::ordered_json() : nlohmann::ordered_json (value);
-}
-
 } // namespace
 
 DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& steps)
@@ -52,6 +47,7 @@ DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& step
 {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     runs_[i].step = steps[i];
+    runs_[i].extraction.setSplitAtConcaveEdges (true);
     runs_[i].normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
     runs_[i].labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
     results_.push_back ({resolutionName (steps[i]), {}, {}});
@@ -72,17 +68,28 @@ DetectionComparison::detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& clo
   run.estimation.compute (*run.normals);
   run.segmentation.setInputCloud (cloud);
   run.segmentation.setInputNormals (run.normals);
+  run.extraction.setMinPoints (minObjectPoints (cloud->size()));
   run.segmentation.setMinInliers (
       static_cast<unsigned> (cloud->size() * 1000 / (640 * 480)));
   run.segmentation.segment (
       models, inliers, centroids, covariances, *run.labels, label_indices);
-  if (frame.camera_to_base) {
-    run.detection.setCameraToBase (*frame.camera_to_base);
-    run.detection.setInputCloud (cloud);
-    run.detection.setInputNormals (run.normals);
-    run.detection.setInputPlanes (models, run.labels);
-    run.detection.detect (run.obstacles);
-  }
+  Eigen::Affine3f camera_to_base = defaultCameraToBase();
+  if (frame.camera_to_base)
+    camera_to_base = *frame.camera_to_base;
+  else if (!models.empty())
+    camera_to_base = baseOnPlane (models.front().values);
+  const double lowest_m = frame.camera_to_base ? 0. : -2.;
+  const double highest_m = frame.camera_to_base ? 1.2 : 2.;
+  run.extraction.setPlaneHeights (lowest_m, highest_m);
+  run.extraction.setBaseTransform (camera_to_base);
+  run.extraction.setInputCloud (cloud);
+  run.extraction.setInputNormals (run.normals);
+  run.extraction.extract (models, inliers, run.objects);
+  run.detection.setCameraToBase (camera_to_base);
+  run.detection.setInputCloud (cloud);
+  run.detection.setInputNormals (run.normals);
+  run.detection.setInputPlanes (models, run.labels);
+  run.detection.detect (run.obstacles);
   const std::chrono::duration<double, std::milli> elapsed =
       std::chrono::steady_clock::now() - start;
   return elapsed.count();
@@ -105,6 +112,10 @@ DetectionComparison::add (const Frame& frame)
       detect (cloud, frame, run);
     run.points = cloud->size();
     results_[i].milliseconds.push_back (detect (cloud, frame, run));
+    std::vector<FoundObject> found;
+    for (const auto& object : run.objects)
+      found.push_back ({object.indices.indices, object.box_size, object.graspable});
+    scoreObjects (frame, run.step, found, results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);
       const auto numbers = subsampleNumbers (obstacles, full.width, run.step);
@@ -118,30 +129,42 @@ DetectionComparison::add (const Frame& frame)
 std::string
 DetectionComparison::table() const
 {
-  std::string text = "size   obstacles  found      %  floor points  false %      Hz\n";
+  std::string text =
+      "size   objects      %  apart %  false  points %  obstacles      %  false floor %"
+      "      Hz\n";
   for (const auto& result : results_) {
     const ObstacleEvaluation& o = result.obstacles;
-    text += (boost::format ("%-5s %10d %6d %6s %13d %8s %7.1f\n") % result.resolution %
-             o.obstacles % o.found_obstacles % number (o.obstaclesPercent(), "%.1f") %
-             o.floor_points % number (o.falsePointsPercent(), "%.3f") %
+    const auto figures = objectFigures (result.objects);
+    const auto figure = [&] (const char* key, const char* format) {
+      const auto& value = figures.at (key);
+      return value.is_null() ? "-" : number (value.get<double>(), format);
+    };
+    text += (boost::format ("%-5s %8d %6s %8s %6s %9s %10d %6s %14s %7.1f\n") %
+             result.resolution % result.objects.all().objects %
+             figure ("objects_percent", "%.1f") % figure ("apart_50_percent", "%.1f") %
+             figure ("false_objects", "%.0f") %
+             figure ("false_object_points_percent", "%.3f") % o.obstacles %
+             number (o.obstaclesPercent(), "%.1f") %
+             number (o.falsePointsPercent(), "%.3f") %
              (1000. / median (result.milliseconds)))
                 .str();
   }
   return text;
 }
 
-std::string
-DetectionComparison::json() const
+nlohmann::ordered_json
+DetectionComparison::rows() const
 {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const auto& result : results_)
-    rows.push_back (
-        {{"resolution", result.resolution},
-         {"obstacles_percent", orNull (result.obstacles.obstaclesPercent())},
-         {"false_obstacle_points_percent",
-          orNull (result.obstacles.falsePointsPercent())},
-         {"rate_hz", 1000. / median (result.milliseconds)}});
-  return nlohmann::ordered_json ({{"results", rows}}).dump (2) + '\n';
+  for (const auto& result : results_) {
+    nlohmann::ordered_json row = {{"resolution", result.resolution}};
+    row.update (objectFigures (result.objects));
+    row["obstacles_percent"] = result.obstacles.obstaclesPercent();
+    row["false_obstacle_points_percent"] = result.obstacles.falsePointsPercent();
+    row["rate_hz"] = 1000. / median (result.milliseconds);
+    rows.push_back (std::move (row));
+  }
+  return rows;
 }
 
 } // namespace rgbd_planes

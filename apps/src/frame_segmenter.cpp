@@ -26,13 +26,12 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
-/** \a count for 640 x 480 pixels, in proportion for others. */
+/** 1000 for 640 x 480 pixels, in proportion for others. */
 unsigned
-inProportion (std::size_t count, std::size_t pixels, std::size_t fewest)
+minInliers (std::size_t pixels)
 {
-  constexpr std::size_t vga = 640 * 480;
-  return static_cast<unsigned> (
-      std::max<std::size_t> ((count * pixels + vga / 2) / vga, fewest));
+  constexpr std::size_t vga = 640 * 480, fewest = 3;
+  return static_cast<unsigned> (std::max ((1000 * pixels + vga / 2) / vga, fewest));
 }
 
 PlaneSummary
@@ -91,8 +90,7 @@ FrameSegmenter::segment (const Frame& frame)
   summary.height = cloud.height;
   summary.measured_points = static_cast<std::size_t> (std::count_if (
       cloud.begin(), cloud.end(), [] (const auto& p) { return std::isfinite (p.z); }));
-  summary.min_inliers =
-      options_.min_inliers.value_or (inProportion (1000, cloud.size(), 3));
+  summary.min_inliers = options_.min_inliers.value_or (minInliers (cloud.size()));
 
   const Stopwatch total;
   estimation_.setInputCloud (frame.cloud);
@@ -140,7 +138,7 @@ FrameSegmenter::findObjects (const Frame& frame,
     extraction_.setBaseTransform (baseOnPlane (coefficients_.front().values));
     extraction_.setPlaneHeights (-anywhere, anywhere);
   }
-  extraction_.setMinPoints (inProportion (50, frame.cloud->size(), 20));
+  extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
   extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);
   extraction_.setInputNormals (normals_);

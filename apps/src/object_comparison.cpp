@@ -11,7 +11,6 @@
 #include <boost/format.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,13 +60,49 @@ objectTruth (const Frame& frame, std::uint32_t step)
   return truth;
 }
 
-ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps,
-                                    bool with_peers)
+void
+scoreObjects (const Frame& frame,
+              std::uint32_t step,
+              const std::vector<FoundObject>& found,
+              ObjectEvaluation& evaluation)
+{
+  const ObjectTruth truth = objectTruth (frame, step);
+  if (truth.ids.empty())
+    return;
+  const auto cloud = subsample (*frame.cloud, step);
+  if (!frame.truth)
+    return evaluation.add (viewPoints (cloud), viewPoints (cloud), truth, found);
+  const auto positions = subsample (*frame.truth, step);
+  evaluation.add (viewPoints (cloud), viewPoints (positions), truth, found);
+}
+
+nlohmann::ordered_json
+objectFigures (const ObjectEvaluation& e)
+{
+  const ObjectCounts all = e.all();
+  const bool known = !std::isnan (e.falsePointsPercent());
+  const auto count = [&] (std::size_t number) {
+    return known ? nlohmann::ordered_json (number) : nlohmann::ordered_json();
+  };
+  return {{"objects_percent", percent (all.found_50, all.objects)},
+          {"false_objects", count (e.false_objects)},
+          {"false_object_points_percent", e.falsePointsPercent()},
+          {"objects_80_percent", percent (all.found_80, all.objects)},
+          {"objects_apart", count (e.apart.objects)},
+          {"apart_50_percent", percent (e.apart.found_50, e.apart.objects)},
+          {"apart_80_percent", percent (e.apart.found_80, e.apart.objects)},
+          {"objects_touching", count (e.touching.objects)},
+          {"touching_50_percent", percent (e.touching.found_50, e.touching.objects)},
+          {"touching_80_percent", percent (e.touching.found_80, e.touching.objects)},
+          {"graspable_right_percent", percent (e.graspable_right, e.sized)},
+          {"boxes_right_percent", percent (e.boxes_right, e.boxes)}};
+}
+
+ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps)
 {
   for (const auto step : steps) {
     auto methods = objectMethods();
-    if (with_peers)
-      methods.push_back (lccpMethod());
+    methods.push_back (lccpMethod());
     for (auto& method : methods) {
       results_.push_back ({method.name, resolutionName (step), {}, {}});
       runs_.push_back ({step, std::move (method), 0, {}});
@@ -75,37 +110,27 @@ ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps,
   }
 }
 
-bool
+void
 ObjectComparison::add (const Frame& frame)
 {
-  pcl::PointCloud<pcl::PointXYZ> full, full_positions;
+  if (objectTruth (frame, 1).ids.empty())
+    return;
+  pcl::PointCloud<pcl::PointXYZ> full;
   pcl::copyPointCloud (*frame.cloud, full);
-  if (frame.truth)
-    pcl::copyPointCloud (*frame.truth, full_positions);
-  else
-    full_positions = full;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Run& run = runs_[i];
-    const ObjectTruth truth = objectTruth (frame, run.step);
-    if (truth.ids.empty())
-      return false;
-    const auto positions = subsample (full_positions, run.step);
     ObjectInput input;
     input.cloud =
         pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
     input.camera_to_base = frame.camera_to_base;
-    constexpr std::size_t fewest = 20;
-    input.min_points = static_cast<unsigned> (
-        std::max (input.cloud->size() * 50 / (640 * 480), fewest));
+    input.min_points = minObjectPoints (input.cloud->size());
     // The first run pays for memory that later ones find in place.
     if (run.points != input.cloud->size())
       run.method.compute (input, run.found);
     run.points = input.cloud->size();
     results_[i].milliseconds.push_back (run.method.compute (input, run.found));
-    results_[i].evaluation.add (
-        viewPoints (*input.cloud), viewPoints (positions), truth, run.found);
+    scoreObjects (frame, run.step, run.found, results_[i].evaluation);
   }
-  return true;
 }
 
 std::string
@@ -142,25 +167,11 @@ ObjectComparison::rows() const
 {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const auto& result : results_) {
-    const ObjectEvaluation& e = result.evaluation;
-    const ObjectCounts all = e.all();
-    rows.push_back (
-        {{"method", result.method},
-         {"resolution", result.resolution},
-         {"ms_median", median (result.milliseconds)},
-         {"objects_apart", e.apart.objects},
-         {"apart_50_percent", percent (e.apart.found_50, e.apart.objects)},
-         {"apart_80_percent", percent (e.apart.found_80, e.apart.objects)},
-         {"objects_touching", e.touching.objects},
-         {"touching_50_percent", percent (e.touching.found_50, e.touching.objects)},
-         {"touching_80_percent", percent (e.touching.found_80, e.touching.objects)},
-         {"objects_percent", percent (all.found_50, all.objects)},
-         {"objects_80_percent", percent (all.found_80, all.objects)},
-         {"objects_found", e.found},
-         {"false_objects", e.false_objects},
-         {"false_object_points_percent", e.falsePointsPercent()},
-         {"graspable_right_percent", percent (e.graspable_right, e.sized)},
-         {"boxes_right_percent", percent (e.boxes_right, e.boxes)}});
+    nlohmann::ordered_json row = {{"method", result.method},
+                                  {"resolution", result.resolution},
+                                  {"ms_median", median (result.milliseconds)}};
+    row.update (objectFigures (result.evaluation));
+    rows.push_back (std::move (row));
   }
   return rows;
 }

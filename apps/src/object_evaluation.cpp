@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -198,7 +199,7 @@ ObjectEvaluation::falsePointsPercent() const
 {
   return measured_ ? 100. * static_cast<double> (false_points_) /
                          static_cast<double> (measured_)
-                   : 0.;
+                   : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace rgbd_planes

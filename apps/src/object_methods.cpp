@@ -122,6 +122,13 @@ baseOnPlane (const std::vector<float>& coefficients)
   return transform;
 }
 
+unsigned
+minObjectPoints (std::size_t pixels)
+{
+  constexpr std::size_t fewest = 20;
+  return static_cast<unsigned> (std::max (pixels * 50 / (640 * 480), fewest));
+}
+
 std::vector<ObjectMethod>
 objectMethods ()
 {

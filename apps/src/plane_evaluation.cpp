@@ -5,6 +5,8 @@
 #include <pcl/apps/statistics.h>
 #include <pcl/segmentation/plane_assignment.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -46,6 +46,25 @@ TEST_F (EvaluateDetection, ObstaclesOnSimulatedFloors)
   }
 }
 
+TEST_F (EvaluateDetection, ObjectsOnASimulatedTable)
+{
+  const Outcome outcome = run ("sim:table_single:1 --resolution qvga --object-methods "
+                               "--json table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 1u);
+  EXPECT_EQ (rows[0]["objects_percent"], 100.);
+  EXPECT_EQ (rows[0]["apart_50_percent"], 100.);
+  EXPECT_EQ (rows[0]["false_objects"], 0);
+  EXPECT_EQ (rows[0]["false_object_points_percent"], 0.);
+  const json methods =
+      json::parse (readFile (folder_ / "table.json"))["object_methods"];
+  ASSERT_EQ (methods.size(), 3u);
+  EXPECT_EQ (methods[1]["method"], "supported_split");
+  EXPECT_EQ (methods[1]["objects_percent"], rows[0]["objects_percent"]);
+  EXPECT_EQ (methods[2]["method"], "pcl_lccp");
+}
+
 TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
@@ -55,6 +74,9 @@ TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
   ASSERT_EQ (rows.size(), 1u);
   EXPECT_TRUE (rows[0].at ("obstacles_percent").is_null());
   EXPECT_TRUE (rows[0].at ("false_obstacle_points_percent").is_null());
+  EXPECT_TRUE (rows[0].at ("objects_percent").is_null());
+  EXPECT_TRUE (rows[0].at ("false_objects").is_null());
+  EXPECT_TRUE (rows[0].at ("false_object_points_percent").is_null());
   EXPECT_GT (rows[0]["rate_hz"], 0.);
 }
 

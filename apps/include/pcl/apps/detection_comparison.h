@@ -4,10 +4,14 @@
 #pragma once
 
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/object_evaluation.h>
 #include <pcl/apps/obstacle_evaluation.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/obstacle_detection.h>
+#include <pcl/segmentation/supported_object_extraction.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <string>
@@ -20,13 +24,15 @@ namespace rgbd_planes {
 struct DetectionResult {
   /** "vga", "qvga" or "qqvga": every 1st, 2nd or 4th pixel. */
   std::string resolution;
-  /** Of all stages: normals, planes, obstacles. */
+  /** Of all stages: normals, planes, objects (split at concave edges), obstacles. */
   std::vector<double> milliseconds;
+  ObjectEvaluation objects;
   ObstacleEvaluation obstacles;
 };
 
 /** \brief Runs all stages on frames and scores what is detected (Holz et al. 2011, figure
- * 6c). Obstacles need the pose of the camera and truth: simulated frames. */
+ * 6c). Obstacles are scored on simulated frames; objects on these, and on recordings
+ * whose points have labels of objects. */
 class DetectionComparison {
 public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4 */
@@ -46,10 +52,10 @@ public:
   std::string
   table () const;
 
-  /** \brief {"results": [{"resolution", "objects_percent", ...}]}; null where no frame has
-   * the truth that a figure needs. */
-  std::string
-  json () const;
+  /** \brief An object for each row: {"resolution", "objects_percent", ...}; null where no
+   * frame has the truth that a figure needs. */
+  nlohmann::ordered_json
+  rows () const;
 
 private:
   struct Run {
@@ -57,13 +63,16 @@ private:
     std::size_t points = 0; // of the frame before
     pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+    pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
     pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection;
     pcl::PointCloud<pcl::Normal>::Ptr normals;
     pcl::PointCloud<pcl::Label>::Ptr labels;
+    std::vector<pcl::SupportedObject> objects;
     std::vector<Obstacle> obstacles;
   };
 
-  /** All stages; milliseconds. */
+  /** All stages; milliseconds. Where the pose of the camera is unknown, the largest plane
+   * is taken for a table or floor. */
   static double
   detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
           const Frame& frame,

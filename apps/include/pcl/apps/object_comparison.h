@@ -31,19 +31,27 @@ struct ObjectResult {
 ObjectTruth
 objectTruth (const Frame& frame, std::uint32_t step);
 
-/** \brief Runs methods on frames and scores the objects that they find. */
+/** \brief Scores what was found in every step-th pixel of a frame of full resolution. Adds
+ * nothing where nothing is known of the objects. */
+void
+scoreObjects (const Frame& frame,
+              std::uint32_t step,
+              const std::vector<FoundObject>& found,
+              ObjectEvaluation& evaluation);
+
+/** \brief {"objects_percent", "false_objects", ...}; shares are in percent, null where there is
+ * nothing to share. */
+nlohmann::ordered_json
+objectFigures (const ObjectEvaluation& evaluation);
+
+/** \brief Runs methods, ours and PCL's LCCP, on frames and scores the objects that they find. */
 class ObjectComparison {
 public:
-  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
-   * \param[in] with_peers PCL's LCCP as well; it takes much longer
-   */
-  ObjectComparison (const std::vector<std::uint32_t>& steps, bool with_peers);
+  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4 */
+  explicit ObjectComparison (const std::vector<std::uint32_t>& steps);
 
-  /** \brief Adds a frame of full resolution; one without truth is left out. Objects need 50
-   * points per 640 x 480 pixels, and no fewer than 20.
-   * \return whether truth was known
-   */
-  bool
+  /** \brief Adds a frame of full resolution; one without truth is left out. */
+  void
   add (const Frame& frame);
 
   const std::vector<ObjectResult>&
@@ -56,8 +64,8 @@ public:
   std::string
   table () const;
 
-  /** \brief An object for each row: {"method", "resolution", "ms_median", "objects", ...}; shares
-   * are in percent, null where there is nothing to share. */
+  /** \brief An object for each row: {"method", "resolution", "ms_median"} and
+   * objectFigures(). */
   nlohmann::ordered_json
   rows () const;
 

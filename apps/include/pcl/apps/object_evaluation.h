@@ -78,7 +78,8 @@ public:
   ObjectCounts
   all () const;
 
-  /** \brief Points of false objects, in percent of the measured points. */
+  /** \brief Points of false objects, in percent of the measured points; NaN where there are
+   * none. */
   double
   falsePointsPercent () const;
 

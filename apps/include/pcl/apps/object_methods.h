@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -41,6 +42,11 @@ struct ObjectMethod {
  * table: z along its normal, the plane at height 0. */
 Eigen::Affine3f
 baseOnPlane (const std::vector<float>& coefficients);
+
+/** \brief The fewest points of an object in an image of so many pixels: 50 of 640 x 480, in
+ * proportion for others, and no fewer than 20. */
+unsigned
+minObjectPoints (std::size_t pixels);
 
 /** \brief Ours, "supported" and, with the split at concave edges, "supported_split". */
 std::vector<ObjectMethod>
