@@ -50,7 +50,7 @@ DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& step
     runs_[i].extraction.setSplitAtConcaveEdges (true);
     runs_[i].normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
     runs_[i].labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-    results_.push_back ({resolutionName (steps[i]), {}, {}});
+    results_.push_back ({resolutionName (steps[i]), {}, {}, {}});
   }
 }
 
