@@ -18,6 +18,9 @@ registerNormalBenchmarks (const Clouds& frames);
 void
 registerPlaneBenchmarks (const Clouds& frames);
 
+void
+registerObjectBenchmarks (const Clouds& frames, const BaseTransforms& camera_to_base);
+
 /** \brief Registers run (state), which reports an error or calls measure(). */
 template <typename Run>
 void

@@ -20,7 +20,7 @@ constexpr std::uint32_t min_pixels = 4 * 40;
 } // namespace
 
 Clouds
-readClouds (const std::vector<InputOptions>& inputs)
+readClouds (const std::vector<InputOptions>& inputs, BaseTransforms& camera_to_base)
 {
   Clouds clouds;
   for (const auto& input : inputs) {
@@ -33,6 +33,7 @@ readClouds (const std::vector<InputOptions>& inputs)
         throw AppError (input.input + ": frame " + frame.name +
                         " is too small; give frames of 160 x 160 pixels or more");
       clouds.push_back (cloud);
+      camera_to_base.push_back (frame.camera_to_base);
       if (cloud->width != clouds.front()->width ||
           cloud->height != clouds.front()->height)
         throw AppError (input.input + ": frame " + frame.name +

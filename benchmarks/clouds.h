@@ -7,7 +7,10 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -16,10 +19,13 @@ namespace rgbd_planes {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Clouds = std::vector<Cloud::ConstPtr>;
 
-/** \brief All frames of all inputs. AppError where they are not of one size, or too
+/** \brief Where the camera of each frame is, where this is known. */
+using BaseTransforms = std::vector<std::optional<Eigen::Affine3f>>;
+
+/** \brief All frames of all inputs, and their \a camera_to_base. AppError where they are not of one size, or too
  * small for a method at a quarter of it. */
 Clouds
-readClouds (const std::vector<InputOptions>& inputs);
+readClouds (const std::vector<InputOptions>& inputs, BaseTransforms& camera_to_base);
 
 /** \brief Every step-th pixel of every step-th row of each cloud. */
 Clouds

@@ -21,7 +21,8 @@ printHelp ()
 {
   std::cout
       << "pcl_rgbd_planes_benchmark [INPUT...] [options]\n\n"
-         "Times our normals and planes beside those of PCL, in ms per frame of the "
+         "Times our normals, planes and objects beside those of PCL, in ms per frame "
+         "of the "
          "inputs; without\n"
          "INPUT, of sim:table_cluttered and sim:room. Resolutions are chosen with "
          "--benchmark_filter,\n"
@@ -52,9 +53,11 @@ void
 runBenchmarks (int argc, char** argv)
 {
   benchmark::Initialize (&argc, argv, printHelp);
-  const Clouds frames = readClouds (readInputs (argc, argv));
+  BaseTransforms camera_to_base;
+  const Clouds frames = readClouds (readInputs (argc, argv), camera_to_base);
   registerNormalBenchmarks (frames);
   registerPlaneBenchmarks (frames);
+  registerObjectBenchmarks (frames, camera_to_base);
   if (benchmark::RunSpecifiedBenchmarks() == 0)
     throw AppError ("nothing matches --benchmark_filter; see --benchmark_list_tests");
   benchmark::Shutdown();

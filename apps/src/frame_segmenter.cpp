@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/frame_segmenter.h>
+#include <pcl/apps/object_methods.h>
 
 #include <algorithm>
 #include <chrono>
@@ -25,12 +26,12 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
+/** 1000 for 640 x 480 pixels, in proportion for others. */
 unsigned
-defaultMinInliers (std::size_t pixels)
+minInliers (std::size_t pixels)
 {
-  constexpr std::size_t vga = 640 * 480;
-  return static_cast<unsigned> (
-      std::max<std::size_t> ((1000 * pixels + vga / 2) / vga, 3));
+  constexpr std::size_t vga = 640 * 480, fewest = 3;
+  return static_cast<unsigned> (std::max ((1000 * pixels + vga / 2) / vga, fewest));
 }
 
 PlaneSummary
@@ -54,8 +55,26 @@ summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
 
 } // namespace
 
-FrameSegmenter::FrameSegmenter (std::optional<unsigned> min_inliers)
-: min_inliers_ (min_inliers)
+std::string
+planeClass (const std::array<double, 4>& coefficients,
+            const std::optional<Eigen::Affine3f>& camera_to_base)
+{
+  if (!camera_to_base)
+    return "unknown";
+  const double min_cosine = std::cos (0.26), max_floor_height = 0.05;
+  const Eigen::Vector3d up = camera_to_base->linear().row (2).cast<double>();
+  const double rise = up.dot (Eigen::Vector3d (coefficients.data()));
+  if (rise > min_cosine) {
+    const double height = camera_to_base->translation().z() - coefficients[3] / rise;
+    return std::fabs (height) <= max_floor_height ? "floor" : "table";
+  }
+  return rise < -min_cosine                                            ? "ceiling"
+         : std::fabs (rise) < std::sqrt (1. - min_cosine * min_cosine) ? "wall"
+                                                                       : "slope";
+}
+
+FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
+: options_ (options)
 , normals_ (new pcl::PointCloud<pcl::Normal>)
 {
   estimation_.setViewPoint (0.f, 0.f, 0.f);
@@ -71,7 +90,7 @@ FrameSegmenter::segment (const Frame& frame)
   summary.height = cloud.height;
   summary.measured_points = static_cast<std::size_t> (std::count_if (
       cloud.begin(), cloud.end(), [] (const auto& p) { return std::isfinite (p.z); }));
-  summary.min_inliers = min_inliers_.value_or (defaultMinInliers (cloud.size()));
+  summary.min_inliers = options_.min_inliers.value_or (minInliers (cloud.size()));
 
   const Stopwatch total;
   estimation_.setInputCloud (frame.cloud);
@@ -81,6 +100,10 @@ FrameSegmenter::segment (const Frame& frame)
   segmentation_.setInputNormals (normals_);
   segmentation_.setMinInliers (summary.min_inliers);
   segmentation_.segment (coefficients_, inliers_);
+  const auto camera_to_base =
+      options_.camera_to_base ? options_.camera_to_base : frame.camera_to_base;
+  if (options_.find_objects)
+    findObjects (frame, camera_to_base, summary);
   summary.times.total = total.milliseconds();
   const PlaneStageTimes& seconds = segmentation_.getStageTimes();
   summary.times.normal_space = 1e3 * seconds.normal_space;
@@ -95,9 +118,32 @@ FrameSegmenter::segment (const Frame& frame)
       labels_[static_cast<std::size_t> (index)].label = static_cast<std::uint32_t> (id);
     summary.planes.push_back (
         summarize (cloud, coefficients_[id], inliers_[id].indices));
+    summary.planes.back().plane_class =
+        planeClass (summary.planes.back().coefficients, camera_to_base);
     summary.labelled_points += inliers_[id].indices.size();
   }
   return summary;
+}
+
+void
+FrameSegmenter::findObjects (const Frame& frame,
+                             const std::optional<Eigen::Affine3f>& camera_to_base,
+                             FrameSummary& summary)
+{
+  const Stopwatch watch;
+  if (camera_to_base)
+    extraction_.setBaseTransform (*camera_to_base);
+  else if (!coefficients_.empty()) {
+    constexpr double anywhere = 2.;
+    extraction_.setBaseTransform (baseOnPlane (coefficients_.front().values));
+    extraction_.setPlaneHeights (-anywhere, anywhere);
+  }
+  extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
+  extraction_.setSplitAtConcaveEdges (true);
+  extraction_.setInputCloud (frame.cloud);
+  extraction_.setInputNormals (normals_);
+  extraction_.extract (coefficients_, inliers_, summary.objects);
+  summary.times.objects = watch.milliseconds();
 }
 
 } // namespace rgbd_planes

@@ -173,6 +173,8 @@ FrameSource::addSimulated (const std::string& scene_and_seed)
          frame.cloud = simulated_frame.cloud;
          frame.truth = simulated_frame.truth;
          frame.true_planes = simulated_frame.planes;
+         frame.true_objects = simulated_frame.objects;
+         frame.camera_to_base = simulated_frame.camera_to_base;
        }});
 }
 

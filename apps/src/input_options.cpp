@@ -4,9 +4,11 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/parse_number.h>
+#include <pcl/common/angles.h>
 
 #include <boost/program_options/value_semantic.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -17,18 +19,30 @@ namespace rgbd_planes {
 
 namespace {
 
-Intrinsics
-parseIntrinsics (const std::string& text)
+/** Finite numbers between commas; \a names says how many, and what. */
+std::vector<float>
+parseNumbers (const std::string& option,
+              const std::string& text,
+              const std::string& names)
 {
   std::vector<float> values;
   std::istringstream stream (text + ',');
   for (std::string value; std::getline (stream, value, ',');)
-    values.push_back (parseNumber<float> ("--intrinsics: a value", value));
-  if (values.size() != 4)
-    throw AppError ("--intrinsics: '" + text + "' must be four numbers, fx,fy,cx,cy");
+    values.push_back (parseNumber<float> (option + ": a value", value));
+  const auto commas = std::count (names.begin(), names.end(), ',');
+  if (values.size() != static_cast<std::size_t> (commas) + 1)
+    throw AppError (option + ": '" + text + "' must be " + std::to_string (commas + 1) +
+                    " numbers, " + names);
   for (const float value : values)
     if (!std::isfinite (value))
-      throw AppError ("--intrinsics: '" + text + "' must be finite numbers");
+      throw AppError (option + ": '" + text + "' must be finite numbers");
+  return values;
+}
+
+Intrinsics
+parseIntrinsics (const std::string& text)
+{
+  const auto values = parseNumbers ("--intrinsics", text, "fx,fy,cx,cy");
   if (values[0] <= 0.f || values[1] <= 0.f)
     throw AppError ("--intrinsics: the focal lengths in '" + text +
                     "' must be more than 0 pixels");
@@ -88,6 +102,23 @@ readInputOptions (const std::string& input, const po::variables_map& values)
   if (values.count ("frames"))
     options.max_frames = parseCount ("--frames", values["frames"].as<std::string>());
   return options;
+}
+
+Eigen::Affine3f
+parseBaseTransform (const std::string& text)
+{
+  const auto v = parseNumbers ("--base-transform", text, "x,y,z,roll,pitch,yaw");
+  const auto turn = [] (float degrees, const Eigen::Vector3f& axis) {
+    return Eigen::AngleAxisf (pcl::deg2rad (degrees), axis).toRotationMatrix();
+  };
+  Eigen::Matrix3f optical_to_forward;
+  optical_to_forward << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
+  Eigen::Affine3f transform = Eigen::Affine3f::Identity();
+  transform.translation() << v[0], v[1], v[2];
+  transform.linear() = turn (v[5], Eigen::Vector3f::UnitZ()) *
+                       turn (v[4], Eigen::Vector3f::UnitY()) *
+                       turn (v[3], Eigen::Vector3f::UnitX()) * optical_to_forward;
+  return transform;
 }
 
 std::uint32_t

@@ -7,6 +7,7 @@
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/labelled_point.h>
+#include <pcl/apps/object_pictures.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/apps/plane_report.h>
@@ -27,7 +28,7 @@ volatile std::sig_atomic_t interrupted = 0;
 
 struct Options {
   InputOptions input;
-  std::optional<unsigned> min_inliers;
+  SegmenterOptions segmenter;
   std::optional<fs::path> output;
   std::optional<fs::path> json;
 };
@@ -42,21 +43,28 @@ readOptions (int argc, char** argv)
       po::value<std::string>()->value_name ("N"),
       "drop planes with fewer points; by default 1000 for 640 x 480 pixels and in "
       "proportion for other sizes") (
+      "objects", "find objects on horizontal planes up to 1.2 m high") (
+      "base-transform",
+      po::value<std::string>()->value_name ("x,y,z,roll,pitch,yaw"),
+      "where the camera is in the frame of the robot (x forward, y left, z up), in "
+      "metres and "
+      "degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, that of a "
+      "simulated camera, or else the largest plane is taken for a table or floor") (
       "output",
       po::value<std::string>()->value_name ("DIR"),
-      "write pictures, labelled clouds, planes.csv and result.json there") (
-      "json",
-      po::value<std::string>()->value_name ("FILE"),
-      "write the result as JSON");
+      "write pictures, labelled clouds, planes.csv, objects.csv and result.json "
+      "there") ("json",
+                po::value<std::string>()->value_name ("FILE"),
+                "write the result as JSON");
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
-    std::cout
-        << "pcl_segment_planes INPUT [options]\n\n"
-           "Finds the planes of RGB-D frames. Files appear when all frames are done; "
-           "after an error\nthere are none.\n\n"
-        << input_help << '\n'
-        << options;
+    std::cout << "pcl_segment_planes INPUT [options]\n\n"
+                 "Finds the planes of RGB-D frames, and objects on them. Files appear "
+                 "when all frames are done; "
+                 "after an error\nthere are none.\n\n"
+              << input_help << '\n'
+              << options;
     return std::nullopt;
   }
   if (!values.count ("input"))
@@ -66,8 +74,12 @@ readOptions (int argc, char** argv)
   result.input =
       readInputOptions (values["input"].as<std::vector<std::string>>().front(), values);
   if (values.count ("min-inliers"))
-    result.min_inliers =
+    result.segmenter.min_inliers =
         parseCount ("--min-inliers", values["min-inliers"].as<std::string>());
+  result.segmenter.find_objects = values.count ("objects") != 0;
+  if (values.count ("base-transform"))
+    result.segmenter.camera_to_base =
+        parseBaseTransform (values["base-transform"].as<std::string>());
   if (values.count ("output"))
     result.output = values["output"].as<std::string>();
   if (values.count ("json"))
@@ -90,6 +102,8 @@ prepareOutput (const Options& options, OutputFiles& files)
     files.createFolder (*options.output);
     files.write (*options.output / "result.json", "");
     files.write (*options.output / "planes.csv", "");
+    if (options.segmenter.find_objects)
+      files.write (*options.output / "objects.csv", "");
   }
   if (options.json)
     files.write (*options.json, "");
@@ -99,6 +113,7 @@ void
 writeFrame (const fs::path& folder,
             const Frame& frame,
             const FrameSegmenter& segmenter,
+            const std::vector<pcl::SupportedObject>* objects,
             OutputFiles& files)
 {
   const auto& labels = segmenter.labels();
@@ -108,13 +123,17 @@ writeFrame (const fs::path& folder,
   write ("_planes.png", encodePng (planesPicture (*frame.cloud, labels)));
   write ("_normals.png", encodePng (normalsPicture (segmenter.normals())));
   write ("_depth.png", encodePng (depthPicture (*frame.cloud)));
+  if (objects)
+    write (
+        "_objects.png",
+        encodePng (objectsPicture (*frame.cloud, *objects, segmenter.supportPlanes())));
   write ("_labels.pcd", encodeLabels (*frame.cloud, segmenter.normals(), labels));
 }
 
 std::vector<FrameSummary>
 segmentFrames (const FrameSource& source, const Options& options, OutputFiles& files)
 {
-  FrameSegmenter segmenter (options.min_inliers);
+  FrameSegmenter segmenter (options.segmenter);
   std::vector<FrameSummary> summaries;
   const Progress progress (source.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -122,7 +141,11 @@ segmentFrames (const FrameSource& source, const Options& options, OutputFiles& f
     const Frame frame = source.read (i);
     summaries.push_back (segmenter.segment (frame));
     if (options.output)
-      writeFrame (*options.output, frame, segmenter, files);
+      writeFrame (*options.output,
+                  frame,
+                  segmenter,
+                  options.segmenter.find_objects ? &summaries.back().objects : nullptr,
+                  files);
     if (interrupted)
       throw AppError ("interrupted; nothing was written");
   }
@@ -147,11 +170,16 @@ segmentPlanes (int argc, char** argv)
   if (options->output) {
     files.write (*options->output / "result.json", json);
     files.write (*options->output / "planes.csv", planesCsv (summaries));
+    if (options->segmenter.find_objects)
+      files.write (*options->output / "objects.csv", objectsCsv (summaries));
   }
   if (options->json)
     files.write (*options->json, json);
-  for (const auto& summary : summaries)
+  for (const auto& summary : summaries) {
     printPlanes (std::cout, summary);
+    if (options->segmenter.find_objects)
+      printObjects (std::cout, summary);
+  }
   printStageTimes (std::cout, summaries);
   if (!std::cout.flush())
     throw AppError ("cannot write to standard output");

@@ -29,6 +29,7 @@ constexpr Stage stages[] = {
      "distance-space clustering",
      &StageTimes::distance_space},
     {"refinement", "refinement", &StageTimes::refinement},
+    {"objects", "objects", &StageTimes::objects},
     {"total", "total", &StageTimes::total}};
 
 struct TimeRange {
@@ -65,6 +66,27 @@ quoted (const std::string& text)
 }
 
 Json
+toJson (const Eigen::Vector3f& vector)
+{
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Json
+toJson (const pcl::SupportedObject& object)
+{
+  return {{"plane", object.support},
+          {"points", object.indices.indices.size()},
+          {"graspable", object.graspable},
+          {"centroid_m", toJson (object.centroid)},
+          {"box_center_m", toJson (object.box_center)},
+          {"box_size_m", toJson (object.box_size)},
+          {"box_axes",
+           {toJson (object.box_axes.col (0)),
+            toJson (object.box_axes.col (1)),
+            toJson (object.box_axes.col (2))}}};
+}
+
+Json
 toJson (const FrameSummary& frame)
 {
   Json times, planes = Json::array();
@@ -78,8 +100,11 @@ toJson (const FrameSummary& frame)
                        {"distance_m", d},
                        {"points", plane.points},
                        {"rms_m", plane.rms},
-                       {"class", unknown_class}});
+                       {"class", plane.plane_class}});
   }
+  Json objects = Json::array();
+  for (const auto& object : frame.objects)
+    objects.push_back (toJson (object));
   return {{"frame", frame.name},
           {"width", frame.width},
           {"height", frame.height},
@@ -87,7 +112,8 @@ toJson (const FrameSummary& frame)
           {"labelled_points", frame.labelled_points},
           {"min_inliers", frame.min_inliers},
           {"stage_times_ms", times},
-          {"planes", planes}};
+          {"planes", planes},
+          {"objects", objects}};
 }
 
 Json
@@ -120,8 +146,54 @@ printPlanes (std::ostream& out, const FrameSummary& frame)
     const PlaneSummary& plane = frame.planes[id];
     const auto& [a, b, c, d] = plane.coefficients;
     out << boost::format ("%7d   %8.4f %7.4f %7.4f   %10.4f %9d %8.2f   %s\n") % id %
-               a % b % c % d % plane.points % (1e3 * plane.rms) % unknown_class;
+               a % b % c % d % plane.points % (1e3 * plane.rms) % plane.plane_class;
   }
+}
+
+void
+printObjects (std::ostream& out, const FrameSummary& frame)
+{
+  out << boost::format ("%s: %d objects\n") % frame.name % frame.objects.size();
+  if (frame.objects.empty())
+    return;
+  out << "  object   on plane     at x       y       z     sides cm           height   "
+         "points   graspable\n";
+  for (std::size_t id = 0; id < frame.objects.size(); ++id) {
+    const auto& object = frame.objects[id];
+    const Eigen::Vector3f &at = object.centroid, cm = 100.f * object.box_size;
+    out << boost::format (
+               "%8d %10d %8.3f %7.3f %7.3f %8.1f x %5.1f x %5.1f %8d   %s\n") %
+               id % object.support % at.x() % at.y() % at.z() % cm.x() % cm.y() %
+               cm.z() % object.indices.indices.size() %
+               (object.graspable ? "yes" : "no");
+  }
+}
+
+std::string
+objectsCsv (const std::vector<FrameSummary>& frames)
+{
+  std::string csv =
+      "frame,object,plane,points,graspable,centroid_x,centroid_y,centroid_z,"
+      "box_x,box_y,box_z,size_1,size_2,height,axis_1_x,axis_1_y,axis_1_z,"
+      "up_x,up_y,up_z\n";
+  for (const auto& frame : frames)
+    for (std::size_t id = 0; id < frame.objects.size(); ++id) {
+      const auto& object = frame.objects[id];
+      csv += quoted (frame.name) + ',' + std::to_string (id) + ',' +
+             std::to_string (object.support) + ',' +
+             std::to_string (object.indices.indices.size()) +
+             (object.graspable ? ",1" : ",0");
+      const Eigen::Vector3f vectors[] = {object.centroid,
+                                         object.box_center,
+                                         object.box_size,
+                                         object.box_axes.col (0),
+                                         object.box_axes.col (2)};
+      for (const auto& vector : vectors)
+        for (const float value : {vector.x(), vector.y(), vector.z()})
+          csv += (boost::format (",%.6g") % value).str();
+      csv += '\n';
+    }
+  return csv;
 }
 
 void
@@ -146,7 +218,7 @@ planesCsv (const std::vector<FrameSummary>& frames)
       const auto& [a, b, c, d] = plane.coefficients;
       csv += (boost::format ("%s,%d,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%s\n") %
               quoted (frame.name) % id % a % b % c % d % plane.points % plane.rms %
-              unknown_class)
+              plane.plane_class)
                  .str();
     }
   return csv;

@@ -42,6 +42,7 @@ Scene::addBox (const Eigen::Affine3f& pose,
                const Eigen::Vector3f& size,
                const Look& look)
 {
+  addObject (look, TrueObject::Shape::box, size);
   std::array<Eigen::Vector3f, 8> corner;
   for (std::size_t i = 0; i < corner.size(); ++i)
     corner[i] = pose * Eigen::Vector3f (((i & 1) != 0 ? 0.5f : -0.5f) * size.x(),
@@ -60,6 +61,7 @@ Scene::addCylinder (const Eigen::Affine3f& pose,
                     float height,
                     const Look& look)
 {
+  addObject (look, TrueObject::Shape::cylinder, {2.f * radius, 2.f * radius, height});
   std::vector<Eigen::Vector3f> rim;
   for (int i = 0; i < disc_corners; ++i) {
     const float angle = 6.2831853f * static_cast<float> (i) / disc_corners;
@@ -78,9 +80,19 @@ Scene::addCylinder (const Eigen::Affine3f& pose,
 void
 Scene::addSphere (const Eigen::Vector3f& center, float radius, const Look& look)
 {
+  addObject (look, TrueObject::Shape::sphere, Eigen::Vector3f::Constant (2.f * radius));
   Surface& surface = addPolygon ({center}, look);
   surface.shape = Surface::Shape::sphere;
   surface.radius = radius;
+}
+
+void
+Scene::addObject (const Look& look,
+                  TrueObject::Shape shape,
+                  const Eigen::Vector3f& size)
+{
+  if (look.object != 0)
+    objects.push_back ({look.object, shape, size});
 }
 
 } // namespace rgbd_planes

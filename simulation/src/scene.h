@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <pcl/simulation/simulate.h>
+
 #include <Eigen/Geometry>
 
 #include <cstdint>
@@ -49,6 +51,8 @@ struct View {
 struct Scene {
   Eigen::Affine3f camera_to_base = Eigen::Affine3f::Identity();
   std::vector<Surface> surfaces;
+  /** What was added with an object id. */
+  std::vector<TrueObject> objects;
 
   void
   setCamera (const View& view);
@@ -70,6 +74,10 @@ struct Scene {
 
   void
   addSphere (const Eigen::Vector3f& center, float radius, const Look& look);
+
+private:
+  void
+  addObject (const Look& look, TrueObject::Shape shape, const Eigen::Vector3f& size);
 };
 
 } // namespace rgbd_planes

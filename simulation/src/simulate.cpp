@@ -83,6 +83,7 @@ simulate (const std::string& scene_name, unsigned seed, Sensor sensor)
 
   SimulatedFrame frame;
   frame.camera_to_base = scene.camera_to_base;
+  frame.objects = scene.objects;
   fillTruth (scene, camera, image, frame);
 
   Random random (seed);

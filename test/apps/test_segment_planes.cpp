@@ -375,3 +375,23 @@ TEST_F (SegmentPlanes, RealFrames)
       EXPECT_GE (frame["planes"].size(), 2u) << input;
   }
 }
+
+TEST_F (SegmentPlanes, FindsTheObjectOfASimulatedTable)
+{
+  const Outcome result = run ("sim:table_single --objects --output out");
+  ASSERT_EQ (result.code, 0) << result.err;
+  const json frame = json::parse (readFile (folder_ / "out/result.json"))["frames"][0];
+  ASSERT_EQ (frame["objects"].size(), 1u);
+  const std::size_t plane = frame["objects"][0]["plane"];
+  EXPECT_EQ (frame["planes"][plane]["class"], "table");
+  const std::string csv = readFile (folder_ / "out/objects.csv");
+  EXPECT_EQ (std::count (csv.begin(), csv.end(), '\n'), 2);
+  EXPECT_TRUE (std::filesystem::exists (folder_ / "out/table_single_1_objects.png"));
+}
+
+TEST_F (SegmentPlanes, RefusesABadBaseTransform)
+{
+  expectRefused ("sim:table_single --base-transform 0,0,1.2,0,30",
+                 "x,y,z,roll,pitch,yaw");
+  expectRefused ("sim:table_single --base-transform 0,0,1.2,0,30,nan", "finite");
+}

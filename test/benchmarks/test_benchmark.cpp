@@ -50,7 +50,10 @@ TEST_F (Benchmark, HasTheNamesThatOthersRelyOn)
                                    "normals/tangent_plain",
                                    "normals/pcl_average_3d_gradient",
                                    "planes/normal_space",
-                                   "planes/pcl_omps"})
+                                   "planes/pcl_omps",
+                                   "objects/supported",
+                                   "objects/supported_split",
+                                   "objects/pcl_lccp"})
     for (const std::string resolution : {"/vga", "/qvga", "/qqvga"})
       EXPECT_EQ (all.count (method + resolution), 1u) << method << resolution;
   for (const std::string method :

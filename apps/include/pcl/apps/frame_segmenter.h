@@ -6,6 +6,7 @@
 #include <pcl/apps/frame_source.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/supported_object_extraction.h>
 
 #include <array>
 #include <optional>
@@ -21,6 +22,7 @@ struct StageTimes {
   double normal_space = 0.;
   double distance_space = 0.;
   double refinement = 0.;
+  double objects = 0.;
   /** All of the above and what lies between them; not reading and writing of files. */
   double total = 0.;
 };
@@ -32,7 +34,26 @@ struct PlaneSummary {
   std::size_t points = 0;
   /** Root mean square distance of the points from the plane, metres. */
   double rms = 0.;
+  /** See planeClass(). */
+  std::string plane_class;
 };
+
+/** \brief What to find, and how. */
+struct SegmenterOptions {
+  /** Planes with fewer points are dropped; by default 1000 for 640 x 480 pixels and in
+   * proportion for other sizes. */
+  std::optional<unsigned> min_inliers;
+  bool find_objects = false;
+  /** Where the camera is; by default where a simulated one is. Without either, the largest
+   * plane is taken for a table or floor. */
+  std::optional<Eigen::Affine3f> camera_to_base;
+};
+
+/** \brief The kind of a plane a, b, c, d that faces the camera: floor, table (any other
+ * horizontal surface), ceiling, wall or slope; "unknown" without a transform. */
+std::string
+planeClass (const std::array<double, 4>& coefficients,
+            const std::optional<Eigen::Affine3f>& camera_to_base);
 
 /** \brief What is known of a frame after it was segmented, without its points. */
 struct FrameSummary {
@@ -45,14 +66,14 @@ struct FrameSummary {
   StageTimes times;
   /** By decreasing number of points; the index is the id of the plane. */
   std::vector<PlaneSummary> planes;
+  /** Where options ask for them. */
+  std::vector<pcl::SupportedObject> objects;
 };
 
-/** \brief Finds the planes of one frame after the other. */
+/** \brief Finds the planes, and objects on them, of one frame after the other. */
 class FrameSegmenter {
 public:
-  /** \param[in] min_inliers planes with fewer points are dropped; by default 1000 for
-   * 640 x 480 pixels and in proportion for other sizes */
-  explicit FrameSegmenter (std::optional<unsigned> min_inliers);
+  explicit FrameSegmenter (const SegmenterOptions& options);
 
   FrameSummary
   segment (const Frame& frame);
@@ -71,10 +92,23 @@ public:
     return labels_;
   }
 
+  /** \brief The planes that objects were looked for on. */
+  const std::vector<SupportPlane>&
+  supportPlanes () const
+  {
+    return extraction_.getSupportPlanes();
+  }
+
 private:
-  std::optional<unsigned> min_inliers_;
+  void
+  findObjects (const Frame& frame,
+               const std::optional<Eigen::Affine3f>& camera_to_base,
+               FrameSummary& summary);
+
+  SegmenterOptions options_;
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZRGB, pcl::Normal> estimation_;
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZRGB, pcl::Normal> segmentation_;
+  pcl::SupportedObjectExtraction<pcl::PointXYZRGB, pcl::Normal> extraction_;
   pcl::PointCloud<pcl::Normal>::Ptr normals_;
   pcl::PointCloud<pcl::Label> labels_;
   std::vector<pcl::ModelCoefficients> coefficients_;

@@ -7,7 +7,9 @@
 #include <pcl/apps/point_labels.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/simulation/truth_point.h>
+#include <pcl/simulation/simulate.h>
+
+#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <filesystem>
@@ -45,6 +47,10 @@ struct Frame {
   pcl::PointCloud<TruthPoint>::Ptr truth;
   /** The planes of a simulated frame, see SimulatedFrame::planes. */
   std::vector<Eigen::Vector4f> true_planes;
+  /** The loose things of a simulated frame, see SimulatedFrame::objects. */
+  std::vector<TrueObject> true_objects;
+  /** Where the camera of a simulated frame is, see SimulatedFrame::camera_to_base. */
+  std::optional<Eigen::Affine3f> camera_to_base;
   /** What a .pcd file says about its points. */
   PointLabels labels;
 };

@@ -27,6 +27,13 @@ readInputOptions (const std::string& input,
 unsigned
 parseCount (const std::string& option, const std::string& text);
 
+/** \brief The value of --base-transform, x,y,z,roll,pitch,yaw in metres and degrees: from the
+ * camera optical frame (x right, y down, z forward) to the frame of the robot (x forward, y
+ * left, z up) for a camera at x, y, z that looks along x, then is turned about x, y and z in
+ * this order. AppError where it is not six finite numbers. */
+Eigen::Affine3f
+parseBaseTransform (const std::string& text);
+
 /** \brief The step between pixels for a value of --resolution; AppError where it is
  * none. */
 std::uint32_t

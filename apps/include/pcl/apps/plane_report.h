@@ -12,10 +12,6 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief What to call the kind of a plane (floor, wall, ...). Which way is up, and
- * with it the kind, cannot be told from a frame in the camera frame. */
-constexpr char unknown_class[] = "unknown";
-
 /** \brief Prints the planes of a frame, one a line. */
 void
 printPlanes (std::ostream& out, const FrameSummary& frame);
@@ -29,6 +25,16 @@ printStageTimes (std::ostream& out, const std::vector<FrameSummary>& frames);
  * metres. */
 std::string
 planesCsv (const std::vector<FrameSummary>& frames);
+
+/** \brief Prints the objects of a frame, one a line. */
+void
+printObjects (std::ostream& out, const FrameSummary& frame);
+
+/** \brief objects.csv: a header and a line for each object of each frame; metres, in the camera
+ * frame. The box is given by its centre, its sides and the directions of the first and of the
+ * last side, which points up. */
+std::string
+objectsCsv (const std::vector<FrameSummary>& frames);
 
 /** \brief result.json: the input with what was set, the stage times, and the planes of
  * each frame. Units are in the names. */

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,16 @@ struct Camera {
   float fx = 525.f, fy = 525.f, cx = 319.5f, cy = 239.5f;
 };
 
+/** \brief A loose thing of a simulated scene, seen or not. */
+struct TrueObject {
+  enum class Shape { box, cylinder, sphere };
+  /** TruthPoint::object of its points. */
+  std::uint32_t id = 0;
+  Shape shape = Shape::box;
+  /** Sides of the smallest box around it that stands as it does, height last; metres. */
+  Eigen::Vector3f size = Eigen::Vector3f::Zero();
+};
+
 /** \brief A simulated frame of Camera{} and its ground truth. */
 struct SimulatedFrame {
   /** Organized, in the camera optical frame (x right, y down, z forward), metres; NaN
@@ -37,6 +48,7 @@ struct SimulatedFrame {
    * frame, unit normal, d >= 0: the normal faces the camera. Only planes that are seen.
    */
   std::vector<Eigen::Vector4f> planes;
+  std::vector<TrueObject> objects;
   /** To the base frame of the robot: x forward, y left, z up, the floor at z = 0. */
   Eigen::Affine3f camera_to_base;
 };

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/object_evaluation.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief What a method gets to find objects in. */
+struct ObjectInput {
+  /** Organized, in the camera frame, metres. */
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
+  /** Where the camera is; without, the largest plane is taken for a table, at height 0. */
+  std::optional<Eigen::Affine3f> camera_to_base;
+  /** Smaller objects are not asked for. */
+  unsigned min_points = 50;
+};
+
+/** \brief A way to find objects, with its buffers. */
+struct ObjectMethod {
+  /** As in files that are written. */
+  std::string name;
+  /** Finds objects. Returns the time in milliseconds, normals and planes included, on one
+   * thread and without conversions. */
+  std::function<double (const ObjectInput& input, std::vector<FoundObject>& found)>
+      compute;
+};
+
+/** \brief The transform for a camera whose place is unknown, from a plane a, b, c, d that is a
+ * table: z along its normal, the plane at height 0. */
+Eigen::Affine3f
+baseOnPlane (const std::vector<float>& coefficients);
+
+/** \brief The fewest points of an object in an image of so many pixels: 50 of 640 x 480, in
+ * proportion for others, and no fewer than 20. */
+unsigned
+minObjectPoints (std::size_t pixels);
+
+/** \brief Ours, "supported" and, with the split at concave edges, "supported_split". */
+std::vector<ObjectMethod>
+objectMethods ();
+
+/** \brief PCL's SupervoxelClustering (voxels of 7.5 mm, seeds every 3 cm) and LCCPSegmentation
+ * (10 degrees, sanity check) on the points of the cloud, "pcl_lccp". Its largest segment is
+ * taken for the table. Boxes are not known, nor whether objects are graspable. */
+ObjectMethod
+lccpMethod ();
+
+} // namespace rgbd_planes
+} // namespace pcl

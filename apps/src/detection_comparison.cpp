@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/detection_comparison.h>
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/object_comparison.h>
+#include <pcl/apps/statistics.h>
+#include <pcl/common/io.h>
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/simulation/subsample.h>
+
+#include <boost/format.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Every step-th of the numbers of an image in each direction, as subsample(). */
+std::vector<std::uint32_t>
+subsampleNumbers (const std::vector<std::uint32_t>& numbers,
+                  std::uint32_t width,
+                  std::uint32_t step)
+{
+  std::vector<std::uint32_t> result;
+  const std::size_t height = numbers.size() / width;
+  for (std::size_t v = 0; v < height; v += step)
+    for (std::size_t u = 0; u < width; u += step)
+      result.push_back (numbers[v * width + u]);
+  return result;
+}
+
+std::string
+number (double value, const char* format)
+{
+  return std::isnan (value) ? "-" : (boost::format (format) % value).str();
+}
+
+} // namespace
+
+DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& steps)
+: runs_ (steps.size())
+{
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    runs_[i].step = steps[i];
+    runs_[i].extraction.setSplitAtConcaveEdges (true);
+    runs_[i].normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+    runs_[i].labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+    results_.push_back ({resolutionName (steps[i]), {}, {}, {}});
+  }
+}
+
+double
+DetectionComparison::detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+                             const Frame& frame,
+                             Run& run)
+{
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers, label_indices;
+  decltype (run.segmentation)::Centroids centroids;
+  decltype (run.segmentation)::Covariances covariances;
+  const auto start = std::chrono::steady_clock::now();
+  run.estimation.setInputCloud (cloud);
+  run.estimation.compute (*run.normals);
+  run.segmentation.setInputCloud (cloud);
+  run.segmentation.setInputNormals (run.normals);
+  run.extraction.setMinPoints (minObjectPoints (cloud->size()));
+  run.segmentation.setMinInliers (
+      static_cast<unsigned> (cloud->size() * 1000 / (640 * 480)));
+  run.segmentation.segment (
+      models, inliers, centroids, covariances, *run.labels, label_indices);
+  Eigen::Affine3f camera_to_base = defaultCameraToBase();
+  if (frame.camera_to_base)
+    camera_to_base = *frame.camera_to_base;
+  else if (!models.empty())
+    camera_to_base = baseOnPlane (models.front().values);
+  const double lowest_m = frame.camera_to_base ? 0. : -2.;
+  const double highest_m = frame.camera_to_base ? 1.2 : 2.;
+  run.extraction.setPlaneHeights (lowest_m, highest_m);
+  run.extraction.setBaseTransform (camera_to_base);
+  run.extraction.setInputCloud (cloud);
+  run.extraction.setInputNormals (run.normals);
+  run.extraction.extract (models, inliers, run.objects);
+  run.detection.setCameraToBase (camera_to_base);
+  run.detection.setInputCloud (cloud);
+  run.detection.setInputNormals (run.normals);
+  run.detection.setInputPlanes (models, run.labels);
+  run.detection.detect (run.obstacles);
+  const std::chrono::duration<double, std::milli> elapsed =
+      std::chrono::steady_clock::now() - start;
+  return elapsed.count();
+}
+
+void
+DetectionComparison::add (const Frame& frame)
+{
+  pcl::PointCloud<pcl::PointXYZ> full;
+  pcl::copyPointCloud (*frame.cloud, full);
+  std::vector<std::uint32_t> obstacles;
+  if (frame.truth)
+    obstacles = numberObstacles (*frame.truth);
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    Run& run = runs_[i];
+    const auto cloud =
+        pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
+    // The first run pays for memory that later ones find in place.
+    if (run.points != cloud->size())
+      detect (cloud, frame, run);
+    run.points = cloud->size();
+    results_[i].milliseconds.push_back (detect (cloud, frame, run));
+    std::vector<FoundObject> found;
+    for (const auto& object : run.objects)
+      found.push_back ({object.indices.indices, object.box_size, object.graspable});
+    scoreObjects (frame, run.step, found, results_[i].objects);
+    if (frame.truth && frame.camera_to_base) {
+      const auto truth = subsample (*frame.truth, run.step);
+      const auto numbers = subsampleNumbers (obstacles, full.width, run.step);
+      results_[i].obstacles.add (
+          {viewPoints (*cloud), truth, numbers, *frame.camera_to_base},
+          run.detection.getClasses());
+    }
+  }
+}
+
+std::string
+DetectionComparison::table() const
+{
+  std::string text =
+      "size   objects      %  apart %  false  points %  obstacles      %  false floor %"
+      "      Hz\n";
+  for (const auto& result : results_) {
+    const ObstacleEvaluation& o = result.obstacles;
+    const auto figures = objectFigures (result.objects);
+    const auto figure = [&] (const char* key, const char* format) {
+      const auto& value = figures.at (key);
+      return value.is_null() ? "-" : number (value.get<double>(), format);
+    };
+    text += (boost::format ("%-5s %8d %6s %8s %6s %9s %10d %6s %14s %7.1f\n") %
+             result.resolution % result.objects.all().objects %
+             figure ("objects_percent", "%.1f") % figure ("apart_50_percent", "%.1f") %
+             figure ("false_objects", "%.0f") %
+             figure ("false_object_points_percent", "%.3f") % o.obstacles %
+             number (o.obstaclesPercent(), "%.1f") %
+             number (o.falsePointsPercent(), "%.3f") %
+             (1000. / median (result.milliseconds)))
+                .str();
+  }
+  return text;
+}
+
+nlohmann::ordered_json
+DetectionComparison::rows() const
+{
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& result : results_) {
+    nlohmann::ordered_json row = {{"resolution", result.resolution}};
+    row.update (objectFigures (result.objects));
+    row["obstacles_percent"] = result.obstacles.obstaclesPercent();
+    row["false_obstacle_points_percent"] = result.obstacles.falsePointsPercent();
+    row["rate_hz"] = 1000. / median (result.milliseconds);
+    rows.push_back (std::move (row));
+  }
+  return rows;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/object_comparison.h>
+#include <pcl/apps/statistics.h>
+#include <pcl/common/io.h>
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/simulation/subsample.h>
+
+#include <boost/format.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Parts of nothing are NaN, which JSON has as null. */
+double
+percent (std::size_t part, std::size_t whole)
+{
+  return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole)
+               : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string
+cell (double value)
+{
+  return std::isnan (value) ? "-" : (boost::format ("%.1f") % value).str();
+}
+
+} // namespace
+
+ObjectTruth
+objectTruth (const Frame& frame, std::uint32_t step)
+{
+  ObjectTruth truth;
+  pcl::PointCloud<pcl::Label> ids (frame.cloud->width, frame.cloud->height);
+  if (frame.truth) {
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      ids[i].label = (*frame.truth)[i].object;
+    truth.objects = frame.true_objects;
+  }
+  else if (frame.labels.kind == PointLabels::Kind::objects) {
+    // The labels of mOSD are 10 times the object and its part, those below 20 the table.
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const std::uint32_t object = frame.labels.points[i].label / 10;
+      ids[i].label = object >= 2 ? object : 0;
+    }
+  }
+  else {
+    return truth;
+  }
+  for (const auto& id : subsample (ids, step))
+    truth.ids.push_back (id.label);
+  return truth;
+}
+
+void
+scoreObjects (const Frame& frame,
+              std::uint32_t step,
+              const std::vector<FoundObject>& found,
+              ObjectEvaluation& evaluation)
+{
+  const ObjectTruth truth = objectTruth (frame, step);
+  if (truth.ids.empty())
+    return;
+  const auto cloud = subsample (*frame.cloud, step);
+  if (!frame.truth)
+    return evaluation.add (viewPoints (cloud), viewPoints (cloud), truth, found);
+  const auto positions = subsample (*frame.truth, step);
+  evaluation.add (viewPoints (cloud), viewPoints (positions), truth, found);
+}
+
+nlohmann::ordered_json
+objectFigures (const ObjectEvaluation& e)
+{
+  const ObjectCounts all = e.all();
+  const bool known = !std::isnan (e.falsePointsPercent());
+  const auto count = [&] (std::size_t number) {
+    return known ? nlohmann::ordered_json (number) : nlohmann::ordered_json();
+  };
+  return {{"objects_percent", percent (all.found_50, all.objects)},
+          {"false_objects", count (e.false_objects)},
+          {"false_object_points_percent", e.falsePointsPercent()},
+          {"objects_80_percent", percent (all.found_80, all.objects)},
+          {"objects_apart", count (e.apart.objects)},
+          {"apart_50_percent", percent (e.apart.found_50, e.apart.objects)},
+          {"apart_80_percent", percent (e.apart.found_80, e.apart.objects)},
+          {"objects_touching", count (e.touching.objects)},
+          {"touching_50_percent", percent (e.touching.found_50, e.touching.objects)},
+          {"touching_80_percent", percent (e.touching.found_80, e.touching.objects)},
+          {"graspable_right_percent", percent (e.graspable_right, e.sized)},
+          {"boxes_right_percent", percent (e.boxes_right, e.boxes)}};
+}
+
+ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps)
+{
+  for (const auto step : steps) {
+    auto methods = objectMethods();
+    methods.push_back (lccpMethod());
+    for (auto& method : methods) {
+      results_.push_back ({method.name, resolutionName (step), {}, {}});
+      runs_.push_back ({step, std::move (method), 0, {}});
+    }
+  }
+}
+
+void
+ObjectComparison::add (const Frame& frame)
+{
+  if (objectTruth (frame, 1).ids.empty())
+    return;
+  pcl::PointCloud<pcl::PointXYZ> full;
+  pcl::copyPointCloud (*frame.cloud, full);
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    Run& run = runs_[i];
+    ObjectInput input;
+    input.cloud =
+        pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
+    input.camera_to_base = frame.camera_to_base;
+    input.min_points = minObjectPoints (input.cloud->size());
+    // The first run pays for memory that later ones find in place.
+    if (run.points != input.cloud->size())
+      run.method.compute (input, run.found);
+    run.points = input.cloud->size();
+    results_[i].milliseconds.push_back (run.method.compute (input, run.found));
+    scoreObjects (frame, run.step, run.found, results_[i].evaluation);
+  }
+}
+
+std::string
+ObjectComparison::table() const
+{
+  std::string text = "objects          size        ms   apart  at 0.5  at 0.8  "
+                     "touching  at 0.5  at 0.8  "
+                     "all at 0.5  at 0.8  false  graspable  boxes\n"
+                     "                                              %       %          "
+                     "       %       %  "
+                     "         %       %         right %  right %\n";
+  for (const auto& result : results_) {
+    const ObjectEvaluation& e = result.evaluation;
+    const auto counts = [] (const ObjectCounts& c) {
+      return std::make_pair (cell (percent (c.found_50, c.objects)),
+                             cell (percent (c.found_80, c.objects)));
+    };
+    const auto apart = counts (e.apart), touching = counts (e.touching),
+               all = counts (e.all());
+    text += (boost::format (
+                 "%-15s %-5s %9.2f %7d %7s %7s %9d %7s %7s %11s %7s %6d %10s %6s\n") %
+             result.method % result.resolution % median (result.milliseconds) %
+             e.apart.objects % apart.first % apart.second % e.touching.objects %
+             touching.first % touching.second % all.first % all.second %
+             e.false_objects % cell (percent (e.graspable_right, e.sized)) %
+             cell (percent (e.boxes_right, e.boxes)))
+                .str();
+  }
+  return text;
+}
+
+nlohmann::ordered_json
+ObjectComparison::rows() const
+{
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& result : results_) {
+    nlohmann::ordered_json row = {{"method", result.method},
+                                  {"resolution", result.resolution},
+                                  {"ms_median", median (result.milliseconds)}};
+    row.update (objectFigures (result.evaluation));
+    rows.push_back (std::move (row));
+  }
+  return rows;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/object_evaluation.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr std::size_t min_points = 50;
+constexpr float max_range_m = 3.5f;
+constexpr float min_height_m = 0.01f;
+constexpr float apart_m = 0.02f;
+
+/** The measured points of a true object. */
+struct Region {
+  const TrueObject* size = nullptr;
+  std::vector<Eigen::Vector3f> positions;
+  Eigen::AlignedBox3f bounds;
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  bool is_apart = true;
+
+  bool
+  isAskedFor () const
+  {
+    const auto points = static_cast<float> (positions.size());
+    return positions.size() >= min_points && (sum / points).norm() <= max_range_m &&
+           (!size || size->size.z() >= min_height_m);
+  }
+};
+
+using Regions = std::map<std::uint32_t, Region>;
+
+Regions
+collectRegions (const OrganizedPoints& points,
+                const OrganizedPoints& positions,
+                const ObjectTruth& truth)
+{
+  Regions regions;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (truth.ids[i] == 0 || !isMeasured (points[i]))
+      continue;
+    Region& region = regions[truth.ids[i]];
+    const Eigen::Map<const Eigen::Vector3f> position (positions[i]);
+    region.positions.emplace_back (position);
+    region.bounds.extend (region.positions.back());
+    region.sum += position;
+  }
+  for (const auto& object : truth.objects) {
+    const auto region = regions.find (object.id);
+    if (region != regions.end())
+      region->second.size = &object;
+  }
+  return regions;
+}
+
+/** The points of \a region that may be near \a other. */
+std::vector<Eigen::Vector3f>
+pointsNear (const Region& region, const Region& other)
+{
+  std::vector<Eigen::Vector3f> near;
+  for (const auto& p : region.positions)
+    if (other.bounds.squaredExteriorDistance (p) <= apart_m * apart_m)
+      near.push_back (p);
+  return near;
+}
+
+bool
+areApart (const Region& a, const Region& b)
+{
+  const auto near_a = pointsNear (a, b);
+  const auto near_b = pointsNear (b, a);
+  for (const auto& p : near_a)
+    for (const auto& q : near_b)
+      if ((p - q).squaredNorm() <= apart_m * apart_m)
+        return false;
+  return true;
+}
+
+void
+markApart (Regions& regions)
+{
+  for (auto a = regions.begin(); a != regions.end(); ++a)
+    for (auto b = std::next (a); b != regions.end(); ++b)
+      if ((a->second.is_apart || b->second.is_apart) &&
+          !areApart (a->second, b->second))
+        a->second.is_apart = b->second.is_apart = false;
+}
+
+/** The sides, the two horizontal ones by size. */
+Eigen::Vector3f
+sorted (Eigen::Vector3f size)
+{
+  if (size.x() > size.y())
+    std::swap (size.x(), size.y());
+  return size;
+}
+
+bool
+isGraspable (const Eigen::Vector3f& size)
+{
+  return size.minCoeff() >= 0.01f && size.minCoeff() <= 0.1f;
+}
+
+bool
+sidesAreRight (const Eigen::Vector3f& truth, const Eigen::Vector3f& found)
+{
+  const Eigen::Array3f error = (sorted (truth) - sorted (found)).array().abs();
+  return (error <= (0.1f * sorted (truth)).array().max (0.01f)).all();
+}
+
+} // namespace
+
+ObjectCounts&
+ObjectCounts::operator+= (const ObjectCounts& other)
+{
+  objects += other.objects;
+  found_50 += other.found_50;
+  found_80 += other.found_80;
+  return *this;
+}
+
+void
+ObjectEvaluation::add (const OrganizedPoints& points,
+                       const OrganizedPoints& positions,
+                       const ObjectTruth& truth,
+                       const std::vector<FoundObject>& found_objects)
+{
+  Regions regions = collectRegions (points, positions, truth);
+  markApart (regions);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    measured_ += isMeasured (points[i]);
+
+  std::set<std::uint32_t> taken;
+  for (const auto& object : found_objects) {
+    std::map<std::uint32_t, std::size_t> common;
+    std::size_t on_objects = 0;
+    for (const auto index : object.indices)
+      if (const auto id = truth.ids[static_cast<std::size_t> (index)]) {
+        ++common[id];
+        ++on_objects;
+      }
+    ++found;
+    if (2 * on_objects < object.indices.size()) {
+      ++false_objects;
+      false_points_ += object.indices.size();
+    }
+    for (const auto& [id, both] : common) {
+      const Region& region = regions[id];
+      const double iou =
+          static_cast<double> (both) /
+          static_cast<double> (region.positions.size() + object.indices.size() - both);
+      // Only at exactly one half could a second pair have either of the two.
+      if (iou < 0.5 || !region.isAskedFor() || !taken.insert (id).second)
+        continue;
+      ObjectCounts& counts = region.is_apart ? apart : touching;
+      ++counts.found_50;
+      counts.found_80 += iou >= 0.8;
+      if (region.is_apart && region.size)
+        countSize (*region.size, object);
+      break;
+    }
+  }
+  for (const auto& [id, region] : regions)
+    if (region.isAskedFor())
+      ++(region.is_apart ? apart : touching).objects;
+}
+
+void
+ObjectEvaluation::countSize (const TrueObject& object, const FoundObject& found_object)
+{
+  ++sized;
+  graspable_right += isGraspable (object.size) == found_object.graspable;
+  if (object.shape != TrueObject::Shape::box)
+    return;
+  ++boxes;
+  boxes_right += sidesAreRight (object.size, found_object.size);
+}
+
+ObjectCounts
+ObjectEvaluation::all() const
+{
+  ObjectCounts sum = apart;
+  sum += touching;
+  return sum;
+}
+
+double
+ObjectEvaluation::falsePointsPercent() const
+{
+  return measured_ ? 100. * static_cast<double> (false_points_) /
+                         static_cast<double> (measured_)
+                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/object_pictures.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+const pcl::RGB white (255, 255, 255);
+const pcl::RGB red (255, 40, 40);
+
+/** Sums for a line pixel = focal * slope + center. */
+struct LineFit {
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+
+  void
+  add (double slope, double pixel)
+  {
+    n += 1.;
+    x += slope;
+    y += pixel;
+    xx += slope * slope;
+    xy += slope * pixel;
+  }
+
+  double
+  focal () const
+  {
+    const double spread = n * xx - x * x;
+    return spread > 1e-9 * n * n ? (n * xy - x * y) / spread : 0.;
+  }
+
+  double
+  center () const
+  {
+    return n > 0. ? (y - focal() * x) / n : 0.;
+  }
+};
+
+/** Draws lines between points in space. */
+class LineDrawer {
+public:
+  LineDrawer (const Intrinsics& camera, Picture& picture)
+  : camera_ (camera)
+  , picture_ (picture)
+  {}
+
+  void
+  draw (const Eigen::Vector3f& from, const Eigen::Vector3f& to, const pcl::RGB& colour)
+  {
+    constexpr float nearest_m = 0.05f;
+    if (!(from.z() > nearest_m && to.z() > nearest_m))
+      return;
+    const Eigen::Vector2f a = project (from), b = project (to);
+    const float length = (b - a).cwiseAbs().maxCoeff();
+    const auto steps = static_cast<int> (std::min (length, 10000.f)) + 1;
+    for (int k = 0; k <= steps; ++k)
+      set (a + (b - a) * (static_cast<float> (k) / static_cast<float> (steps)), colour);
+  }
+
+private:
+  Eigen::Vector2f
+  project (const Eigen::Vector3f& p) const
+  {
+    return {camera_.fx * p.x() / p.z() + camera_.cx,
+            camera_.fy * p.y() / p.z() + camera_.cy};
+  }
+
+  void
+  set (const Eigen::Vector2f& at, const pcl::RGB& colour)
+  {
+    const float u = std::round (at.x()), v = std::round (at.y());
+    if (u >= 0.f && v >= 0.f && u < static_cast<float> (picture_.width) &&
+        v < static_cast<float> (picture_.height))
+      picture_ (static_cast<int> (u), static_cast<int> (v)) = colour;
+  }
+
+  Intrinsics camera_;
+  Picture& picture_;
+};
+
+void
+drawBox (const pcl::SupportedObject& object, LineDrawer& lines)
+{
+  const auto corner = [&] (int k) -> Eigen::Vector3f {
+    const Eigen::Vector3f signs (
+        k & 1 ? 0.5f : -0.5f, k & 2 ? 0.5f : -0.5f, k & 4 ? 0.5f : -0.5f);
+    return object.box_center + object.box_axes * signs.cwiseProduct (object.box_size);
+  };
+  for (int k = 0; k < 8; ++k)
+    for (const int bit : {1, 2, 4})
+      if (!(k & bit))
+        lines.draw (corner (k), corner (k | bit), object.graspable ? white : red);
+}
+
+void
+drawHull (const SupportPlane& support, LineDrawer& lines)
+{
+  const auto& corners = support.outline.corners();
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    lines.draw (support.unproject (corners[k]),
+                support.unproject (corners[(k + 1) % corners.size()]),
+                planeColour (static_cast<std::uint32_t> (support.index)));
+}
+
+} // namespace
+
+Intrinsics
+fitCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
+{
+  LineFit columns, rows;
+  for (std::uint32_t v = 0; v < cloud.height; ++v)
+    for (std::uint32_t u = 0; u < cloud.width; ++u) {
+      const auto& p = cloud (u, v);
+      if (!std::isfinite (p.z) || p.z <= 0.f)
+        continue;
+      columns.add (p.x / p.z, u);
+      rows.add (p.y / p.z, v);
+    }
+  return {static_cast<float> (columns.focal()),
+          static_cast<float> (rows.focal()),
+          static_cast<float> (columns.center()),
+          static_cast<float> (rows.center())};
+}
+
+Picture
+objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
+                const std::vector<pcl::SupportedObject>& objects,
+                const std::vector<SupportPlane>& supports)
+{
+  Picture picture = depthPicture (cloud);
+  for (auto& pixel : picture) {
+    const auto grey = static_cast<std::uint8_t> ((pixel.r + pixel.g + pixel.b) / 6);
+    pixel = {grey, grey, grey};
+  }
+  for (std::size_t k = 0; k < objects.size(); ++k)
+    for (const auto i : objects[k].indices.indices)
+      picture[static_cast<std::size_t> (i)] =
+          planeColour (static_cast<std::uint32_t> (k));
+  LineDrawer lines (fitCamera (cloud), picture);
+  for (const auto& support : supports)
+    if (!support.is_on_object)
+      drawHull (support, lines);
+  for (const auto& object : objects)
+    drawBox (object, lines);
+  return picture;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

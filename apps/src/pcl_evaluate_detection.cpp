@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/detection_comparison.h>
+#include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/object_comparison.h>
+
+#include <boost/program_options/options_description.hpp>
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace po = boost::program_options;
+
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+const char usage[] =
+    R"(pcl_evaluate_detection INPUT... [options]
+
+Compares detected objects and obstacles with true ones where the input is simulated, and
+objects where it is a .pcd file with labels of objects (field label, as in mOSD). All
+frames of all inputs count together; without --resolution, each of the three is tried.
+An object counts from 50 points and 1 cm of height on, within 3.5 m, and is found when
+the points of one cluster and its own have an intersection over union of 0.5; it stands
+apart when no other is within 2 cm. False is a cluster with less than half of its points
+on any object. Obstacles count from the larger of 1 cm and three standard deviations of
+depth on, and are found when half of their points are. False are floor points that are
+called an obstacle. The rate is that of all stages on one thread: normals, planes,
+objects, obstacles.
+)";
+
+void
+evaluateDetection (int argc, char** argv)
+{
+  po::options_description own ("Objects");
+  own.add_options() ("object-methods",
+                     "a second table: objects with and without the split at concave "
+                     "edges, and those of PCL's LCCPSegmentation, which takes long");
+  const auto command = readEvaluationCommand (argc, argv, usage, own);
+  if (!command)
+    return;
+  DetectionComparison comparison (command->steps);
+  std::optional<ObjectComparison> objects;
+  if (command->values.count ("object-methods"))
+    objects.emplace (command->steps);
+  runEvaluation (
+      *command,
+      [&] (const Frame& frame) {
+        comparison.add (frame);
+        if (objects)
+          objects->add (frame);
+      },
+      [&] { return comparison.table() + (objects ? '\n' + objects->table() : ""); },
+      [&] {
+        nlohmann::ordered_json json = {{"results", comparison.rows()}};
+        if (objects)
+          json["object_methods"] = objects->rows();
+        return json.dump (2) + '\n';
+      });
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return runApp ("pcl_evaluate_detection", [&] { evaluateDetection (argc, argv); });
+}

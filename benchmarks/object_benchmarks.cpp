@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "benchmarks.h"
+
+#include <pcl/apps/input_options.h>
+#include <pcl/apps/object_methods.h>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+void
+findObjects (benchmark::State& state,
+             const Clouds& clouds,
+             const BaseTransforms& camera_to_base,
+             const ObjectMethod& method)
+{
+  ObjectInput input;
+  input.min_points = minObjectPoints (clouds.front()->size());
+  std::vector<FoundObject> found;
+  std::size_t frame = 0; // the clouds come in turn
+  measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
+    input.cloud = cloud;
+    input.camera_to_base = camera_to_base[frame++ % clouds.size()];
+    method.compute (input, found);
+  });
+}
+
+} // namespace
+
+void
+registerObjectBenchmarks (const Clouds& frames, const BaseTransforms& camera_to_base)
+{
+  auto methods = objectMethods();
+  methods.push_back (lccpMethod());
+  for (const std::uint32_t step : {1u, 2u, 4u})
+    for (const auto& method : methods)
+      addBenchmark ("objects/" + method.name + '/' + resolutionName (step),
+                    [=] (benchmark::State& state) {
+                      findObjects (
+                          state, subsample (frames, step), camera_to_base, method);
+                    });
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

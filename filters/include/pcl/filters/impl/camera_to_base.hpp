@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/common/io.h>
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/organized_view.h>
+#include <pcl/filters/camera_to_base.h>
+#include <pcl/type_traits.h>
+
+#include <limits>
+
+namespace pcl {
+
+template <typename PointT>
+void
+CameraToBase<PointT>::setTransform (const Eigen::Affine3f& camera_to_base)
+{
+  if (!rgbd_planes::isRigid (camera_to_base)) {
+    PCL_ERROR ("[pcl::%s::setTransform] The transform must only turn and shift: give a "
+               "rotation matrix and a finite translation. Keeping the one before.\n",
+               getClassName().c_str());
+    return;
+  }
+  transform_ = camera_to_base;
+}
+
+template <typename PointT>
+bool
+CameraToBase<PointT>::estimateFromFloor (const ModelCoefficients& floor)
+{
+  std::optional<Eigen::Affine3f> estimate;
+  if (floor.values.size() == 4)
+    estimate = rgbd_planes::cameraToBaseFromFloor (
+        Eigen::Map<const Eigen::Vector4f> (floor.values.data()));
+  if (!estimate) {
+    PCL_ERROR ("[pcl::%s::estimateFromFloor] The floor is no plane: give a, b, c, d, "
+               "finite and with a normal (a, b, c) that is not zero.\n",
+               getClassName().c_str());
+    return false;
+  }
+  transform_ = *estimate;
+  return true;
+}
+
+template <typename PointT>
+void
+CameraToBase<PointT>::filter (PointCloud& output)
+{
+  if (!input_ || &output == input_.get()) {
+    PointCloud result;
+    Filter<PointT>::filter (result);
+    output = std::move (result);
+  }
+  else
+    Filter<PointT>::filter (output);
+}
+
+template <typename PointT>
+void
+CameraToBase<PointT>::applyFilter (PointCloud& output)
+{
+  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
+    PCL_ERROR ("[pcl::%s] An index lies outside of the input cloud: give indices less "
+               "than %zu.\n",
+               getClassName().c_str(),
+               input_->size());
+    output.clear();
+    return;
+  }
+  if (use_indices_)
+    pcl::copyPointCloud (*input_, *indices_, output);
+  else
+    output = *input_;
+  output.header.frame_id = base_frame_;
+  output.sensor_origin_ = transform_.translation().homogeneous();
+  output.sensor_orientation_ = Eigen::Quaternionf (transform_.linear());
+
+  const Eigen::Matrix3f rotation = transform_.linear();
+  const Eigen::Vector3f translation = transform_.translation();
+  for (auto& point : output) {
+    if (rgbd_planes::isMeasured (&point.x))
+      point.getVector3fMap() = (rotation * point.getVector3fMap() + translation).eval();
+    else {
+      point.getVector3fMap().setConstant (std::numeric_limits<float>::quiet_NaN());
+      output.is_dense = false;
+    }
+    if constexpr (traits::has_normal<PointT>::value)
+      point.getNormalVector3fMap() = (rotation * point.getNormalVector3fMap()).eval();
+  }
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_CameraToBase(PointT)                                           \
+  template class PCL_RGBD_PLANES_EXPORTS pcl::CameraToBase<PointT>;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/filter_indices.h>
+#include <pcl/filters/obstacle_class.h>
+#include <pcl/point_types.h>
+
+namespace pcl {
+
+/** \brief Keeps the points of obstacles and drop-offs, or with setNegative (true) all
+ * others: the floor, specks and excluded objects (Holz et al. 2011, section 5.1).
+ *
+ * What a point is comes from ObstacleDetection::detect, as the labels of a cloud with one
+ * rgbd_planes::ObstacleClass for each point.
+ *
+ * \code
+ * detection.detect (obstacles, *classes);
+ * pcl::ObstacleFilter<pcl::PointXYZ> filter;
+ * filter.setInputCloud (cloud);
+ * filter.setClasses (classes);
+ * filter.setNegative (true);
+ * filter.filter (*without_obstacles);
+ * \endcode
+ *
+ * As in all FilterIndices: with indices, only these points are looked at; points without a
+ * finite position are always removed; setKeepOrganized keeps the organization and gives
+ * removed points the user filter value; getRemovedIndices has the removed points, unless
+ * the constructor was told not to collect them. Classes that are missing or of another
+ * size than the input, or an index outside of it: an error message, and nothing is kept.
+ *
+ * \ingroup filters
+ */
+template <typename PointT>
+class PCL_RGBD_PLANES_EXPORTS ObstacleFilter : public FilterIndices<PointT> {
+  using Filter<PointT>::extract_removed_indices_;
+  using Filter<PointT>::filter_name_;
+  using Filter<PointT>::getClassName;
+  using Filter<PointT>::indices_;
+  using Filter<PointT>::input_;
+  using Filter<PointT>::removed_indices_;
+  using FilterIndices<PointT>::negative_;
+
+public:
+  using Ptr = shared_ptr<ObstacleFilter<PointT>>;
+  using ConstPtr = shared_ptr<const ObstacleFilter<PointT>>;
+  using Classes = pcl::PointCloud<pcl::Label>;
+
+  explicit ObstacleFilter (bool extract_removed_indices = true)
+  : FilterIndices<PointT> (extract_removed_indices)
+  {
+    filter_name_ = "ObstacleFilter";
+  }
+
+  /** \brief The rgbd_planes::ObstacleClass of each point of the input cloud. */
+  void
+  setClasses (const Classes::ConstPtr& classes)
+  {
+    classes_ = classes;
+  }
+
+  Classes::ConstPtr
+  getClasses () const
+  {
+    return classes_;
+  }
+
+protected:
+  void
+  applyFilter (Indices& indices) override;
+
+  /** The base class makes a cloud from the indices. */
+  using FilterIndices<PointT>::applyFilter;
+
+private:
+  Classes::ConstPtr classes_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/filters/impl/obstacle_filter.hpp>
+#endif

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/filter.h>
+#include <pcl/ModelCoefficients.h>
+#include <pcl/point_types.h>
+#include <pcl/PointIndices.h>
+
+#include <Eigen/StdVector>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Corrects depth: the points of planes move onto them (Holz et al. 2011, section
+ * 5.2); all others stay as they are.
+ *
+ * \code
+ * pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
+ * projection.setInputCloud (cloud);
+ * projection.setPlanes (model_coefficients, inlier_indices); // or with labels
+ * projection.filter (*corrected);
+ * \endcode
+ *
+ * Points move along their viewing ray, from the origin of the camera frame through the
+ * point, which keeps their pixel. Where a ray meets its plane so flat that the point would
+ * move more than setMaxRayFactor times its distance from the plane, it moves along the
+ * normal of the plane instead, as points do for Direction::normal.
+ *
+ * The output has all points of the input, its organization and its header; all fields but
+ * coordinates stay. With indices, only these points move. Output and input may be the same
+ * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)) and those of planes without
+ * four finite coefficients and a normal stay. Planes that were not set, labels of another
+ * size than the input, or an index outside of it: an error message and an empty output.
+ *
+ * \ingroup filters
+ */
+template <typename PointT>
+class PCL_RGBD_PLANES_EXPORTS ProjectOntoPlanes : public Filter<PointT> {
+  using Filter<PointT>::filter_name_;
+  using Filter<PointT>::getClassName;
+  using Filter<PointT>::indices_;
+  using Filter<PointT>::input_;
+
+public:
+  using Ptr = shared_ptr<ProjectOntoPlanes<PointT>>;
+  using ConstPtr = shared_ptr<const ProjectOntoPlanes<PointT>>;
+  using typename Filter<PointT>::PointCloud;
+  using Labels = pcl::PointCloud<pcl::Label>;
+
+  /** \brief What a point moves along. */
+  enum class Direction { viewing_ray, normal };
+
+  ProjectOntoPlanes() { filter_name_ = "ProjectOntoPlanes"; }
+
+  /** \brief The planes in the frame of the input and their points.
+   * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
+   * \param[in] inlier_indices the points of each plane; a point of several planes moves
+   * onto the last of them
+   */
+  void
+  setPlanes (const std::vector<ModelCoefficients>& model_coefficients,
+             const std::vector<PointIndices>& inlier_indices);
+
+  /** \brief The planes in the frame of the input and their points.
+   * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
+   * \param[in] labels the plane of each point of the input, or a number beyond
+   */
+  void
+  setPlanes (const std::vector<ModelCoefficients>& model_coefficients,
+             const Labels::ConstPtr& labels);
+
+  /** \brief Default Direction::viewing_ray. */
+  void
+  setDirection (Direction direction)
+  {
+    direction_ = direction;
+  }
+
+  Direction
+  getDirection () const
+  {
+    return direction_;
+  }
+
+  /** \brief How far along its ray a point may move, in distances from its plane: the
+   * inverse of the sine of the angle between ray and plane; default 10, about 6 degrees. */
+  void
+  setMaxRayFactor (float factor)
+  {
+    max_ray_factor_ = factor;
+  }
+
+  float
+  getMaxRayFactor () const
+  {
+    return max_ray_factor_;
+  }
+
+protected:
+  void
+  applyFilter (PointCloud& output) override;
+
+private:
+  using Planes =
+      std::vector<Eigen::Vector4f, Eigen::aligned_allocator<Eigen::Vector4f>>;
+
+  void
+  setCoefficients (const std::vector<ModelCoefficients>& model_coefficients);
+
+  /** \brief Fills in the plane of each point; false after an error message. */
+  bool
+  assignPlanes ();
+
+  void
+  project (const Eigen::Vector4f& plane, PointT& point) const;
+
+  Planes planes_;
+  std::vector<PointIndices> inliers_;
+  Labels::ConstPtr labels_; // null where the points of planes are inliers_
+  Direction direction_ = Direction::viewing_ray;
+  float max_ray_factor_ = 10.f;
+  std::vector<std::uint32_t> plane_of_; // for each point; no plane: a number beyond
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/filters/impl/project_onto_planes.hpp>
+#endif

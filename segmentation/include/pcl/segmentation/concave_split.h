@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/segmentation/object_clusters.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Splits clusters of touching objects along concave edges and steps.
+ *
+ * Objects are convex for the most part, and where two of them touch, the surface of one
+ * rises above the tangent plane of the other (Stein et al., Object Partitioning using Local
+ * Convexity, 2014; here on pixels instead of supervoxels). A pixel is cut when, of two points
+ * on opposite sides of it, one lies above the tangent plane of the other. What the cuts leave
+ * connected are patches; large ones become clusters, and all other points join the patch
+ * that is nearest along the image.
+ */
+class PCL_RGBD_PLANES_EXPORTS ConcaveSplit {
+public:
+  /** \brief Replaces \a clusters by their parts.
+   *
+   * A part that lies above the top of another one, where that is among the supporting planes,
+   * rests on it.
+   * \param[in] normals one for each point; those that are NaN cut nothing
+   * \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians
+   * \param[in] planes all planes that were found
+   * \param[in] supports the horizontal ones among them, from the highest to the lowest
+   */
+  void
+  compute (const OrganizedPoints& points,
+           const OrganizedNormals& normals,
+           float pixel_angle,
+           const std::vector<SegmentedPlane>& planes,
+           const std::vector<SupportPlane>& supports,
+           const ObjectParameters& parameters,
+           std::vector<ObjectCluster>& clusters);
+
+private:
+  void
+  markOwners (const std::vector<ObjectCluster>& clusters);
+
+  void
+  markCuts (const std::vector<ObjectCluster>& clusters);
+
+  bool
+  isCut (std::uint32_t i) const;
+
+  bool
+  isStep (std::uint32_t i, std::uint32_t j) const;
+
+  void
+  joinUncut (const std::vector<ObjectCluster>& clusters);
+
+  void
+  startParts (const std::vector<ObjectCluster>& clusters);
+
+  void
+  growParts ();
+
+  void
+  collect (std::vector<ObjectCluster>& clusters);
+
+  std::uint32_t
+  partWithPlane (const pcl::Indices& inliers);
+
+  void
+  settle (const std::vector<SegmentedPlane>& planes,
+          const std::vector<SupportPlane>& supports,
+          std::vector<ObjectCluster>& clusters);
+
+  /** \brief Calls visit (j) for the neighbours of \a i that are of the same cluster. */
+  template <typename Visit>
+  void
+  visitNeighbours (std::uint32_t i, const Visit& visit) const;
+
+  OrganizedPoints points_;
+  OrganizedNormals normals_;
+  float pixel_angle_ = 0.f;
+  ObjectParameters parameters_;
+  std::vector<std::uint32_t> owner_; // the cluster of each point, from 1 on, or 0
+  std::vector<std::uint8_t> cut_;
+  PixelSets sets_;
+  std::vector<std::uint32_t> patch_size_; // at the root of each patch
+  std::vector<std::uint32_t> part_;       // of each point, from 1 on, or 0
+  std::vector<std::size_t> part_support_;
+  std::vector<std::uint32_t> queue_;
+  std::vector<std::size_t> plane_points_; // of a plane in each part
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

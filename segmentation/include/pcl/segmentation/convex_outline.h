@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The convex hull of points of a plane (Andrew's monotone chain, 1979) in O(n log n).
+ * \param[in,out] points any order, repeated ones are fine; comes back sorted
+ * \param[out] corners counterclockwise; fewer than 3 where the points lie on a line
+ */
+PCL_RGBD_PLANES_EXPORTS void
+convexHull (std::vector<Eigen::Vector2f>& points,
+            std::vector<Eigen::Vector2f>& corners);
+
+/** \brief The convex hull of points of a plane, and which points lie within it or near
+ * it. */
+class PCL_RGBD_PLANES_EXPORTS ConvexOutline {
+public:
+  /** \brief Computes the hull.
+   * \param[in,out] points as for convexHull()
+   * \param[in] tolerance points so far outside count as inside; 0 or more
+   */
+  void
+  compute (std::vector<Eigen::Vector2f>& points, float tolerance);
+
+  /** \brief The corners of the hull, without the tolerance, counterclockwise; fewer than 3
+   * where the points lie on a line. */
+  const std::vector<Eigen::Vector2f>&
+  corners () const
+  {
+    return corners_;
+  }
+
+  /** \brief Whether \a point lies in the hull or at most the tolerance outside; the
+   * tolerance may fall short by 2 % at corners. */
+  bool
+  contains (const Eigen::Vector2f& point) const;
+
+private:
+  /** \brief A border from left to right, with steps of equal width that know where to
+   * start. */
+  struct Chain {
+    std::vector<Eigen::Vector2f> points;
+    std::vector<int> first; // of the edge that holds the left end of a step
+
+    void
+    index (float left, float steps_per_unit);
+
+    float
+    at (float x, std::size_t step) const;
+  };
+
+  std::vector<Eigen::Vector2f> corners_;
+  std::vector<Eigen::Vector2f> grown_;
+  Chain lower_, upper_;
+  float left_ = 0.f, right_ = -1.f, steps_per_unit_ = 0.f;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

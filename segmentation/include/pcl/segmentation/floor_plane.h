@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/depth_noise.h>
+#include <pcl/features/organized_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The planes of a frame, as the segmentation gives them. */
+struct LabelledPlanes {
+  /** a, b, c, d of each plane in the camera frame, unit normals that face the camera. */
+  std::vector<Eigen::Vector4f> coefficients;
+  /** The plane of point i is labels[i * stride]; others lie on none. */
+  const std::uint32_t* labels = nullptr;
+  std::size_t stride = 0;
+
+  std::uint32_t
+  operator[] (std::size_t point) const
+  {
+    return labels[point * stride];
+  }
+};
+
+/** \brief Whether \a point is a measurement, and near enough for its sensor. */
+inline bool
+isUsable (const float* point, const DepthNoise& noise)
+{
+  const float squared_range =
+      point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
+  return isMeasured (point) && squared_range <= noise.max_range * noise.max_range;
+}
+
+/** \brief The variance of the height of a point near a floor.
+ *
+ * Noise moves a point along its ray, and the flatter that meets the floor, the less the
+ * height changes.
+ * \param[in] camera_height distance of the camera from the floor
+ * \return NaN or Inf for a point that is no measurement, or too far for one
+ */
+inline float
+heightVariance (const float* point, float camera_height, const DepthNoise& noise)
+{
+  const float squared_range =
+      point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
+  const float sigma = camera_height * noise.sigma (squared_range);
+  const float variance = sigma * sigma / squared_range;
+  return squared_range <= noise.max_range * noise.max_range
+             ? variance
+             : std::numeric_limits<float>::quiet_NaN();
+}
+
+/** \brief How far \a point is above a floor. */
+inline float
+heightAbove (const Eigen::Vector4f& floor, const float* point)
+{
+  return floor[0] * point[0] + floor[1] * point[1] + floor[2] * point[2] + floor[3];
+}
+
+/** \brief Which of the planes of a frame is the floor, and which are no part of it. */
+class PCL_RGBD_PLANES_EXPORTS FloorPlane {
+public:
+  /** \brief Finds the floor: of the planes whose normal is the z axis of the base frame
+   * within \a max_angle (radians) and whose points lie at z = 0 within \a max_height
+   * (metres) in the mean, the one with the most points.
+   *
+   * About every 64th point is looked at, and every one of small images.
+   */
+  void
+  find (const OrganizedPoints& points,
+        const LabelledPlanes& planes,
+        const Eigen::Affine3f& camera_to_base,
+        const DepthNoise& noise,
+        float max_angle,
+        float max_height);
+
+  bool
+  isFound () const
+  {
+    return found_;
+  }
+
+  /** \brief a, b, c, d of the floor in the camera frame; zeros where none was found. */
+  const Eigen::Vector4f&
+  coefficients () const
+  {
+    return coefficients_;
+  }
+
+  /** \brief Whether points of a plane are no floor even where they are as low: it is
+   * tilted against the floor by more than 5 degrees, and more than a third of its points
+   * are above or below the floor by more than three standard deviations. False for \a
+   * plane beyond those of the frame, no plane at all. */
+  bool
+  differs (std::uint32_t plane) const
+  {
+    return plane < samples_.size() && samples_[plane].is_tilted &&
+           3 * samples_[plane].off > samples_[plane].points;
+  }
+
+private:
+  struct Samples {
+    float height = 0.f; // in the base frame, sum
+    std::size_t points = 0;
+    std::size_t off = 0; // above or below the floor
+    bool is_tilted = false;
+  };
+
+  void
+  compare (const OrganizedPoints& points,
+           const LabelledPlanes& planes,
+           const DepthNoise& noise);
+
+  bool found_ = false;
+  Eigen::Vector4f coefficients_ = Eigen::Vector4f::Zero();
+  std::vector<Samples> samples_; // one for each plane
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

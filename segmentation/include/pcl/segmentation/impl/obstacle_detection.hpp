@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/segmentation/obstacle_detection.h>
+
+#include <cmath>
+
+namespace pcl {
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::setInputPlanes (
+    const std::vector<ModelCoefficients>& model_coefficients,
+    const PointCloudLConstPtr& labels)
+{
+  labels_ = labels;
+  planes_.coefficients.clear();
+  for (const auto& model : model_coefficients) {
+    // What is no plane becomes one that is no floor: labels keep their meaning.
+    Eigen::Vector4f plane = Eigen::Vector4f::Zero();
+    if (model.values.size() == 4)
+      plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
+    const float length = plane.head<3>().norm();
+    plane *= (plane[3] < 0.f ? -1.f : 1.f) / length;
+    if (!plane.allFinite())
+      plane.setZero();
+    planes_.coefficients.push_back (plane);
+  }
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::setCameraToBase (
+    const Eigen::Affine3f& camera_to_base)
+{
+  if (!rgbd_planes::isRigid (camera_to_base)) {
+    PCL_ERROR (
+        "[pcl::%s::setCameraToBase] The transform must only turn and shift: give a "
+        "rotation matrix and a finite translation. Keeping the one before.\n",
+        getClassName().c_str());
+    return;
+  }
+  parameters_.camera_to_base = camera_to_base;
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::setScanLimits (const ScanLimits& limits)
+{
+  const float span = limits.angle_max - limits.angle_min;
+  constexpr float turn = 6.2831854f;
+  constexpr float max_directions = 1e5f;
+  if (!(limits.angle_increment > 0.f && span >= 0.f && span < turn &&
+        span / limits.angle_increment < max_directions &&
+        std::isfinite (limits.angle_min))) {
+    PCL_ERROR ("[pcl::%s::setScanLimits] From %g to %g in steps of %g radians is no "
+               "scan: give "
+               "a first angle, a last one less than a turn further, and a step of more "
+               "than 0. "
+               "Keeping the limits before.\n",
+               getClassName().c_str(),
+               limits.angle_min,
+               limits.angle_max,
+               limits.angle_increment);
+    return;
+  }
+  parameters_.scan = limits;
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+bool
+ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
+{
+  const std::string name = getClassName();
+  if (!input_) {
+    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", name.c_str());
+    return false;
+  }
+  if (!rgbd_planes::isImage (*input_)) {
+    PCL_ERROR (
+        "[pcl::%s] %s\n", name.c_str(), rgbd_planes::notAnImage (*input_).c_str());
+    return false;
+  }
+  const std::size_t normals = normals_ ? normals_->size() : 0;
+  const std::size_t labels = labels_ ? labels_->size() : 0;
+  if (normals != input_->size() || labels != input_->size()) {
+    PCL_ERROR ("[pcl::%s] The input has %zu points, %zu normals and %zu labels: pass a "
+               "normal and a label for each point of the whole cloud to "
+               "setInputNormals and setInputPlanes.\n",
+               name.c_str(),
+               input_->size(),
+               normals,
+               labels);
+    return false;
+  }
+  if ((use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) ||
+      (excluded_ && !rgbd_planes::indicesInside (*excluded_, input_->size()))) {
+    PCL_ERROR (
+        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 "
+        "to %zu.\n",
+        name.c_str(),
+        input_->size() - 1);
+    return false;
+  }
+  return true;
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obstacles)
+{
+  if (!checkInput()) {
+    obstacles.clear();
+    extraction_ = {};
+    return;
+  }
+  if (use_indices_) {
+    selected_.assign (input_->size(), 0);
+    for (const pcl::index_t index : *indices_)
+      selected_[static_cast<std::size_t> (index)] = 1;
+  }
+  const PointNT& normal = normals_->front();
+  planes_.labels = &labels_->front().label;
+  planes_.stride = sizeof (PointLT) / sizeof (std::uint32_t);
+  extraction_.compute (
+      rgbd_planes::viewPoints (*input_),
+      {&normal.normal_x, &normal.curvature, sizeof (PointNT) / sizeof (float)},
+      planes_,
+      use_indices_ ? selected_.data() : nullptr,
+      excluded_.get(),
+      parameters_,
+      obstacles);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obstacles,
+                                                     PointCloudL& classes)
+{
+  detect (obstacles);
+  const auto& found = extraction_.classes();
+  if (found.empty()) {
+    classes.clear();
+    return;
+  }
+  classes.header = input_->header;
+  classes.sensor_origin_ = input_->sensor_origin_;
+  classes.sensor_orientation_ = input_->sensor_orientation_;
+  classes.is_dense = true;
+  classes.resize (input_->width, input_->height);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    classes[i].label = static_cast<std::uint32_t> (found[i]);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_ObstacleDetection(PointT, PointNT, PointLT)                    \
+  template class PCL_RGBD_PLANES_EXPORTS                                               \
+      pcl::ObstacleDetection<PointT, PointNT, PointLT>;

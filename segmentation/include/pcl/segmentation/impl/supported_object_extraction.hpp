@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/segmentation/supported_object_extraction.h>
+
+#include <cmath>
+
+namespace pcl {
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setBaseTransform (
+    const Eigen::Affine3f& camera_to_base)
+{
+  if (!rgbd_planes::isRigid (camera_to_base)) {
+    PCL_ERROR ("[pcl::%s::setBaseTransform] The transform must be a rotation and a "
+               "translation, without NaN. Keeping the last one.\n",
+               getClassName().c_str());
+    return;
+  }
+  camera_to_base_ = camera_to_base;
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setLength (const char* setter,
+                                                       bool may_be_zero,
+                                                       double value,
+                                                       float& parameter)
+{
+  if (std::isfinite (value) && (value > 0. || (may_be_zero && value == 0.))) {
+    parameter = static_cast<float> (value);
+    return;
+  }
+  PCL_ERROR ("[pcl::%s::%s] The value must be %s, got %g. Keeping %g.\n",
+             getClassName().c_str(),
+             setter,
+             may_be_zero ? "0 or more" : "more than 0",
+             value,
+             static_cast<double> (parameter));
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setRange (
+    const char* setter, double low, double high, float& min, float& max)
+{
+  if (!(low <= high)) {
+    PCL_ERROR (
+        "[pcl::%s::%s] The first value must not be larger than the second one, got "
+        "%g and %g. Keeping %g and %g.\n",
+        getClassName().c_str(),
+        setter,
+        low,
+        high,
+        static_cast<double> (min),
+        static_cast<double> (max));
+    return;
+  }
+  min = static_cast<float> (low);
+  max = static_cast<float> (high);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setHorizontalTolerance (double tolerance)
+{
+  if (tolerance <= M_PI / 2.)
+    return setLength (
+        "setHorizontalTolerance", true, tolerance, parameters_.horizontal_tolerance);
+  PCL_ERROR ("[pcl::%s::setHorizontalTolerance] The tolerance must be 0 to pi / 2 "
+             "radians, got "
+             "%g. Keeping %g.\n",
+             getClassName().c_str(),
+             tolerance,
+             getHorizontalTolerance());
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setPlaneHeights (double lowest,
+                                                             double highest)
+{
+  setRange ("setPlaneHeights",
+            lowest,
+            highest,
+            parameters_.min_plane_height,
+            parameters_.max_plane_height);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setMaxObjectHeight (double height)
+{
+  setLength ("setMaxObjectHeight", false, height, parameters_.max_object_height);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setMinObjectHeight (double height)
+{
+  setLength ("setMinObjectHeight", false, height, parameters_.min_object_height);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setHullTolerance (double tolerance)
+{
+  setLength ("setHullTolerance", true, tolerance, parameters_.hull_tolerance);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setClusterTolerance (double sigmas)
+{
+  setLength ("setClusterTolerance", true, sigmas, parameters_.cluster_tolerance);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::setGraspableSides (double smallest,
+                                                               double largest)
+{
+  setRange ("setGraspableSides",
+            smallest,
+            largest,
+            parameters_.min_graspable_side,
+            parameters_.max_graspable_side);
+}
+
+template <typename PointT, typename PointNT>
+bool
+SupportedObjectExtraction<PointT, PointNT>::checkInput (
+    const std::vector<ModelCoefficients>& model_coefficients,
+    const std::vector<PointIndices>& inlier_indices) const
+{
+  const auto complain = [this] (const std::string& what) {
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), what.c_str());
+    return false;
+  };
+  if (!input_)
+    return complain ("No input cloud: call setInputCloud first.");
+  if (!rgbd_planes::isImage (*input_))
+    return complain (rgbd_planes::notAnImage (*input_));
+  if (parameters_.split_at_concave_edges &&
+      (!normals_ || normals_->size() != input_->size()))
+    return complain (
+        "Splitting at concave edges needs a normal for each point of the whole "
+        "cloud: pass them to setInputNormals.");
+  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size()))
+    return complain ("An index lies outside of the input cloud.");
+  if (model_coefficients.size() != inlier_indices.size())
+    return complain ("There are " + std::to_string (model_coefficients.size()) +
+                     " planes and inliers of " +
+                     std::to_string (inlier_indices.size()) +
+                     ": give both as the segmentation returned them.");
+  for (std::size_t k = 0; k < inlier_indices.size(); ++k)
+    if (model_coefficients[k].values.size() != 4 ||
+        !rgbd_planes::indicesInside (inlier_indices[k].indices, input_->size()))
+      return complain ("Plane " + std::to_string (k) +
+                       " needs four coefficients and inliers that lie inside the input "
+                       "cloud: is it from another cloud?");
+  return true;
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::extract (
+    const std::vector<ModelCoefficients>& model_coefficients,
+    const std::vector<PointIndices>& inlier_indices,
+    std::vector<SupportedObject>& objects)
+{
+  if (!checkInput (model_coefficients, inlier_indices)) {
+    objects.clear();
+    return;
+  }
+  planes_.clear();
+  for (std::size_t k = 0; k < inlier_indices.size(); ++k) {
+    const auto& values = model_coefficients[k].values;
+    planes_.push_back (
+        {{{values[0], values[1], values[2]}, values[3]}, &inlier_indices[k].indices});
+  }
+  selected_.assign (use_indices_ ? input_->size() : 0, 0);
+  if (use_indices_)
+    for (const pcl::index_t index : *indices_)
+      selected_[static_cast<std::size_t> (index)] = 1;
+
+  const auto points = rgbd_planes::viewPoints (*input_);
+  findClusters (points);
+  objects.resize (clusters_.size());
+  for (std::size_t k = 0; k < objects.size(); ++k)
+    describe (points, clusters_[k], objects[k]);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::findClusters (
+    const rgbd_planes::OrganizedPoints& points)
+{
+  supports_.compute (points, planes_, camera_to_base_, parameters_);
+  clustering_.compute (points, selected_, supports_.planes(), parameters_);
+  clusters_ = clustering_.clusters();
+  if (!parameters_.split_at_concave_edges)
+    return;
+  const PointNT& first = normals_->front();
+  split_.compute (
+      points,
+      {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
+      clustering_.pixelAngle(),
+      planes_,
+      supports_.planes(),
+      parameters_,
+      clusters_);
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::describe (
+    const rgbd_planes::OrganizedPoints& points,
+    const rgbd_planes::ObjectCluster& cluster,
+    SupportedObject& object)
+{
+  const auto& support = supports_.planes()[cluster.support];
+  const rgbd_planes::ObjectBox box = boxes_.compute (points, cluster.indices, support);
+  object.indices.header = input_->header;
+  object.indices.indices = cluster.indices;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto index : cluster.indices)
+    sum += Eigen::Map<const Eigen::Vector3f> (points[static_cast<std::size_t> (index)])
+               .template cast<double>();
+  object.centroid =
+      (sum / static_cast<double> (cluster.indices.size())).template cast<float>();
+  object.box_center = box.center;
+  object.box_axes = box.axes;
+  object.box_size = box.size;
+  object.support = support.index;
+  object.graspable = box.size.minCoeff() >= parameters_.min_graspable_side &&
+                     box.size.minCoeff() <= parameters_.max_graspable_side;
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_SupportedObjectExtraction(PointT, PointNT)                     \
+  template class PCL_RGBD_PLANES_EXPORTS                                               \
+      pcl::SupportedObjectExtraction<PointT, PointNT>;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/segmentation/pixel_sets.h>
+#include <pcl/segmentation/support_planes.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Points that may be of one object. */
+struct ObjectCluster {
+  pcl::Indices indices;    /**< in ascending order */
+  std::size_t support = 0; /**< the plane under them, among the supporting ones */
+};
+
+/** \brief Collects the points above supporting planes and clusters them along the image,
+ * linear in their number (Holz et al. 2011, section 5.1).
+ *
+ * Planes on objects support nothing here. Things that hang together with what lies outside
+ * of the hull or too high, such as walls, are no objects, nor is what lies under a higher
+ * supporting plane, such as the legs of a table.
+ */
+class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
+public:
+  /** \param[in] selected not 0 for the points to look at; empty for all of them
+   * \param[in] supports from the highest to the lowest
+   */
+  void
+  compute (const OrganizedPoints& points,
+           const std::vector<std::uint8_t>& selected,
+           const std::vector<SupportPlane>& supports,
+           const ObjectParameters& parameters);
+
+  /** \brief In the order of their first points. */
+  const std::vector<ObjectCluster>&
+  clusters () const
+  {
+    return clusters_;
+  }
+
+  /** \brief The angle between the rays of neighbouring pixels, in radians. */
+  float
+  pixelAngle () const
+  {
+    return pixel_angle_;
+  }
+
+private:
+  /** \brief Where a point is: from \ref above on, above that one of the supporting planes. */
+  enum Place : std::uint8_t { nowhere, outside, above };
+
+  /** \brief A plane that is not on an object. */
+  struct Base {
+    Plane plane;
+    std::size_t support = 0; /**< among the supporting planes */
+  };
+
+  /** \brief What decides whether a cluster is an object. */
+  struct Sums {
+    std::size_t points = 0;
+    std::size_t clear = 0; /**< points that are higher than noise */
+    std::size_t leaks = 0; /**< points that hang together with one outside */
+    std::size_t support = 0;
+    std::size_t cluster = 0;
+  };
+
+  void
+  measurePixelAngle ();
+
+  void
+  placePoints (const std::vector<std::uint8_t>& selected);
+
+  Place
+  placeOf (const float* p) const;
+
+  bool
+  isUnder (std::size_t support, const float* p) const;
+
+  bool
+  areClose (std::uint32_t i, std::uint32_t j) const;
+
+  void
+  joinNeighbours ();
+
+  void
+  sumUp ();
+
+  bool
+  leaks (std::uint32_t i) const;
+
+  bool
+  isObject (const Sums& sums) const;
+
+  void
+  collect ();
+
+  OrganizedPoints points_;
+  const std::vector<SupportPlane>* supports_ = nullptr;
+  ObjectParameters parameters_;
+  std::vector<Base> bases_;
+  float pixel_angle_ = 0.f;
+  std::vector<std::uint8_t> place_;
+  std::vector<std::uint32_t> candidates_;
+  PixelSets sets_;
+  std::vector<std::uint32_t> set_number_; // at the root of each set
+  std::vector<Sums> sums_;
+  std::vector<ObjectCluster> clusters_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/types.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Something that a robot must not drive into. */
+struct Obstacle {
+  enum class Kind {
+    obstacle, /**< anything but the floor */
+    drop_off  /**< a step down or a hole in the floor */
+  };
+  Kind kind = Kind::obstacle;
+  /** Its points in the input cloud, ascending. */
+  pcl::Indices indices;
+  /** Its closest point in the base frame, metres; of a drop-off, which is seen across its
+   * edge, where the view onto it meets the floor. */
+  Eigen::Vector3f nearest = Eigen::Vector3f::Zero();
+  /** Of \a nearest from the origin of the base frame, in its xy plane, metres: r. */
+  float distance = 0.f;
+  /** Of \a nearest, radians counterclockwise from the x axis: phi. */
+  float direction = 0.f;
+};
+
+/** \brief What part of the obstacles a virtual scan shows, in the base frame. */
+struct ScanLimits {
+  float angle_min = -1.5707963f; /**< first direction, radians from the x axis */
+  float angle_max = 1.5707963f;  /**< last direction, less than a turn further */
+  float angle_increment = 0.0087266463f; /**< half a degree */
+  float range_min = 0.f;
+  float range_max = 10.f;
+  /** Points higher above the floor are left out: the robot fits under them; metres. */
+  float max_height = 2.f;
+};
+
+/** \brief Distances to the closest obstacle in each direction: the fields of a LaserScan
+ * message of ROS with the same names. */
+struct VirtualScan {
+  float angle_min = 0.f;
+  float angle_max = 0.f;
+  float angle_increment = 0.f;
+  float range_min = 0.f;
+  float range_max = 0.f;
+  /** ranges[i] is the distance in the xy plane of the base frame of the closest point
+   * whose direction is angle_min + i * angle_increment, rounded; infinite where no
+   * obstacle is seen, which includes directions outside of the image. */
+  std::vector<float> ranges;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/depth_noise.h>
+#include <pcl/features/organized_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/obstacle_class.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Connected obstacle points of an image.
+ *
+ * Neighbours in a row or column that are both obstacle, or both drop-off, are connected
+ * while the distance between them is at most 5 cm and three standard deviations of depth.
+ * So are next neighbours but one where the pixel between them is unmeasured.
+ * Clusters are kept as runs, the parts of a row that belong to one.
+ */
+class PCL_RGBD_PLANES_EXPORTS ObstacleClusters {
+public:
+  /** Points \a first to \a first + \a length - 1 of the image. */
+  struct Run {
+    std::size_t first;
+    std::size_t length;
+    std::uint32_t cluster; /**< or \ref none */
+  };
+
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  /** \brief Finds the clusters.
+   * \param[in] min_points the points of smaller clusters become specks
+   * \param[in,out] classes one for each point
+   */
+  void
+  compute (const OrganizedPoints& points,
+           const DepthNoise& noise,
+           std::size_t min_points,
+           std::vector<ObstacleClass>& classes);
+
+  /** \brief Row by row, from left to right. */
+  const std::vector<Run>&
+  runs () const
+  {
+    return runs_;
+  }
+
+  /** \brief The number of points of each cluster; those that begin further up come first. */
+  const std::vector<std::size_t>&
+  sizes () const
+  {
+    return sizes_;
+  }
+
+private:
+  void
+  findRuns (const OrganizedPoints& points,
+            const DepthNoise& noise,
+            std::size_t row,
+            const std::vector<ObstacleClass>& classes);
+
+  void
+  joinRows (const OrganizedPoints& points,
+            const DepthNoise& noise,
+            std::pair<std::size_t, std::size_t> above,
+            std::size_t below,
+            std::size_t distance,
+            const std::vector<ObstacleClass>& classes);
+
+  void
+  join (std::size_t a, std::size_t b);
+
+  std::uint32_t
+  root (std::uint32_t run);
+
+  void
+  numberClusters (std::size_t min_points, std::vector<ObstacleClass>& classes);
+
+  std::vector<Run> runs_;
+  std::vector<std::uint32_t> parents_; // of runs, until clusters are numbered
+  std::vector<std::size_t> points_;    // of the trees of runs
+  std::vector<std::size_t> sizes_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

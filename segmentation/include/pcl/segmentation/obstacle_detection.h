@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/memory.h>
+#include <pcl/ModelCoefficients.h>
+#include <pcl/pcl_base.h>
+#include <pcl/point_types.h>
+#include <pcl/segmentation/obstacle_extraction.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Where a robot can drive: the floor is safe, all else that is measured is an
+ * obstacle, also what does not stick out but has another normal or plane (Holz et al.
+ * 2011, section 5.1).
+ *
+ * \code
+ * pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection;
+ * detection.setCameraToBase (camera_to_base);
+ * detection.setInputCloud (cloud);
+ * detection.setInputNormals (normals);
+ * detection.setInputPlanes (model_coefficients, labels); // NormalSpacePlaneSegmentation
+ * detection.detect (obstacles, classes);
+ * \endcode
+ *
+ * Input: an organized cloud in the camera frame in metres, a normal for each point, the
+ * planes of the cloud, and the pose of the camera in the base frame (x forward, y left, z
+ * up, the floor at z = 0). NaN, Inf and (0, 0, 0) are missing points. With indices, only
+ * these points are looked at.
+ *
+ * The floor is the largest plane that is horizontal and at z = 0 within tolerances; heights
+ * are measured from it, as the pose may be slightly off. Obstacles at least as high as the
+ * larger of 1 cm and three standard deviations of depth are found. Points clearly below the
+ * floor are drop-offs. Clusters of a few points are specks, errors of the sensor. Where no
+ * floor is found, nothing is safe: all measured points are obstacles.
+ *
+ * A null or unorganized cloud, normals or labels that are missing or of another size, or
+ * an index outside of the cloud: an error message and empty outputs.
+ *
+ * \ingroup segmentation
+ */
+template <typename PointT, typename PointNT, typename PointLT = pcl::Label>
+class PCL_RGBD_PLANES_EXPORTS ObstacleDetection : public PCLBase<PointT> {
+  using PCLBase<PointT>::indices_;
+  using PCLBase<PointT>::input_;
+  using PCLBase<PointT>::use_indices_;
+
+public:
+  using Ptr = shared_ptr<ObstacleDetection<PointT, PointNT, PointLT>>;
+  using ConstPtr = shared_ptr<const ObstacleDetection<PointT, PointNT, PointLT>>;
+
+  using PointCloudN = pcl::PointCloud<PointNT>;
+  using PointCloudNConstPtr = typename PointCloudN::ConstPtr;
+  using PointCloudL = pcl::PointCloud<PointLT>;
+  using PointCloudLConstPtr = typename PointCloudL::ConstPtr;
+
+  using Obstacle = rgbd_planes::Obstacle;
+  using ScanLimits = rgbd_planes::ScanLimits;
+  using VirtualScan = rgbd_planes::VirtualScan;
+
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+
+  /** \brief One normal for each point of the input cloud, in the same order. */
+  void
+  setInputNormals (const PointCloudNConstPtr& normals)
+  {
+    normals_ = normals;
+  }
+
+  PointCloudNConstPtr
+  getInputNormals () const
+  {
+    return normals_;
+  }
+
+  /** \brief The planes of the input cloud.
+   * \param[in] model_coefficients a, b, c, d of each plane
+   * \param[in] labels the plane of each point of the input cloud, or a number beyond
+   */
+  void
+  setInputPlanes (const std::vector<ModelCoefficients>& model_coefficients,
+                  const PointCloudLConstPtr& labels);
+
+  /** \brief The pose of the camera in the base frame, metres; default
+   * rgbd_planes::defaultCameraToBase(), whose z = 0 is no floor but the height of the
+   * camera: give a measured pose, or that of CameraToBase::estimateFromFloor. A transform
+   * that is not rigid: an error message, and the one before stays. */
+  void
+  setCameraToBase (const Eigen::Affine3f& camera_to_base);
+
+  const Eigen::Affine3f&
+  getCameraToBase () const
+  {
+    return parameters_.camera_to_base;
+  }
+
+  /** \brief How far the normal of the floor may be from z of the base frame, radians,
+   * default 0.17, and its points from z = 0 in the mean, metres, default 0.05. */
+  void
+  setFloorTolerances (float angle, float height)
+  {
+    parameters_.floor_angle = angle;
+    parameters_.floor_height = height;
+  }
+
+  /** \brief The height of the lowest obstacles, metres, default 0.01; where that is less
+   * than three standard deviations of the height of points, lower ones may be missed. */
+  void
+  setMinObstacleHeight (float height)
+  {
+    parameters_.points.min_height = height;
+  }
+
+  float
+  getMinObstacleHeight () const
+  {
+    return parameters_.points.min_height;
+  }
+
+  /** \brief The depth of the shallowest drop-offs, metres, default 0.03. */
+  void
+  setMinDropDepth (float depth)
+  {
+    parameters_.points.min_drop = depth;
+  }
+
+  float
+  getMinDropDepth () const
+  {
+    return parameters_.points.min_drop;
+  }
+
+  /** \brief The points of smaller clusters are specks; default 0 for one point in 20000
+   * of the image, at least 2. */
+  void
+  setMinClusterSize (unsigned points)
+  {
+    parameters_.min_cluster_size = points;
+  }
+
+  unsigned
+  getMinClusterSize () const
+  {
+    return parameters_.min_cluster_size;
+  }
+
+  /** \brief The noise of the sensor; default that of a Kinect v1. Points beyond its range
+   * are unmeasured. */
+  void
+  setDepthNoise (const rgbd_planes::DepthNoise& noise)
+  {
+    parameters_.points.noise = noise;
+  }
+
+  const rgbd_planes::DepthNoise&
+  getDepthNoise () const
+  {
+    return parameters_.points.noise;
+  }
+
+  /** \brief The extent of the virtual scan; default 181 degrees ahead in steps of half a
+   * degree, up to 10 m, up to 2 m above the floor. An increment that is not more than 0,
+   * or a span that is negative or a turn: an error message, and the limits before stay. */
+  void
+  setScanLimits (const ScanLimits& limits);
+
+  const ScanLimits&
+  getScanLimits () const
+  {
+    return parameters_.scan;
+  }
+
+  /** \brief Points of the object that is to be grasped, which is no obstacle: indices of
+   * the input cloud; null for none, the default. */
+  void
+  setExcludedIndices (const IndicesConstPtr& indices)
+  {
+    excluded_ = indices;
+  }
+
+  /** \brief Looks at the input.
+   * \param[out] obstacles by increasing distance
+   * \param[out] classes the rgbd_planes::ObstacleClass of each point as its label,
+   * organized as the input; what ObstacleFilter takes
+   */
+  void
+  detect (std::vector<Obstacle>& obstacles, PointCloudL& classes);
+
+  /** \brief Looks at the input. */
+  void
+  detect (std::vector<Obstacle>& obstacles);
+
+  /** \brief The class of each point in the last call of detect. */
+  const std::vector<rgbd_planes::ObstacleClass>&
+  getClasses () const
+  {
+    return extraction_.classes();
+  }
+
+  /** \brief The virtual scan of the last call of detect. */
+  const VirtualScan&
+  getScan () const
+  {
+    return extraction_.scan();
+  }
+
+  /** \brief Whether the last call of detect found a floor. */
+  bool
+  isFloorFound () const
+  {
+    return extraction_.floor().isFound();
+  }
+
+  /** \brief a, b, c, d of the floor in the camera frame; zeros where none was found. */
+  const Eigen::Vector4f&
+  getFloor () const
+  {
+    return extraction_.floor().coefficients();
+  }
+
+protected:
+  std::string
+  getClassName () const
+  {
+    return "ObstacleDetection";
+  }
+
+private:
+  bool
+  checkInput () const;
+
+  PointCloudNConstPtr normals_;
+  PointCloudLConstPtr labels_;
+  rgbd_planes::LabelledPlanes planes_;
+  IndicesConstPtr excluded_;
+  rgbd_planes::ObstacleParameters parameters_;
+  rgbd_planes::ObstacleExtraction extraction_;
+  std::vector<std::uint8_t> selected_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/segmentation/impl/obstacle_detection.hpp>
+#endif

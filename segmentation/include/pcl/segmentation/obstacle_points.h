@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/organized_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/obstacle_class.h>
+#include <pcl/segmentation/floor_plane.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+struct ObstaclePointParameters {
+  DepthNoise noise;
+  /** Of the lowest obstacles, metres; those lower than three standard deviations of the
+   * height of a point may be missed. */
+  float min_height = 0.01f;
+  /** Of the lowest drop-offs, metres. */
+  float min_drop = 0.03f;
+  /** Points whose normal is further from that of the floor are on something else;
+   * radians. */
+  float normal_angle = 0.6f;
+};
+
+/** \brief Points with what is known of them, and the floor that was found. */
+struct ObstacleFrame {
+  OrganizedPoints points;
+  /** One for each point; NaN is unknown. */
+  OrganizedNormals normals;
+  const LabelledPlanes& planes;
+  const FloorPlane& floor;
+  /** Not 0 for the points to look at, one for each point; null for all. */
+  const std::uint8_t* selected = nullptr;
+};
+
+/** \brief Tells the floor from all else, point by point (Holz et al. 2011, section 5.1).
+ *
+ * A point is an obstacle when it is further above the floor than noise explains; when the
+ * mean height of the points around it, which has less noise, is that of a low obstacle; or
+ * when most points around it, and itself, are on a plane that differs from the floor or
+ * have another normal, however low they are. Points clearly below the floor are drop-offs.
+ *
+ * The points around a point are those of 3 x 3 cells of an image of 160 cells in a row,
+ * each of 4 x 4 pixels in VGA.
+ */
+class PCL_RGBD_PLANES_EXPORTS ObstaclePoints {
+public:
+  /** \brief Tells what the points are: unmeasured, floor, obstacle or drop_off.
+   * \param[in] frame with a floor
+   * \param[out] classes one for each point
+   */
+  void
+  classify (const ObstacleFrame& frame,
+            const ObstaclePointParameters& parameters,
+            std::vector<ObstacleClass>& classes);
+
+private:
+  /** Sums over the points of a cell that may be floor. */
+  struct Cell {
+    float height = 0.f;
+    float variance = 0.f; // of the height
+    std::uint16_t points = 0;
+    std::uint16_t high = 0;   // points high enough for a low obstacle
+    std::uint16_t differ = 0; // 1 where its first point is on another surface
+
+    Cell&
+    operator+= (const Cell& other);
+  };
+
+  /** The points of a row. */
+  struct Row {
+    std::vector<float> height;
+    std::vector<float> variance; // of the height; NaN or Inf where nothing is measured
+    std::vector<int> high;       // 1 for points high enough for a low obstacle
+    std::vector<int> result;     // their class
+  };
+
+  void
+  prepare (const OrganizedPoints& points);
+
+  void
+  measureRow (const ObstacleFrame& frame, std::size_t first);
+
+  void
+  classifyRow (std::size_t first, std::vector<ObstacleClass>& classes);
+
+  void
+  sumRow (Cell* cells) const;
+
+  void
+  sampleRow (const ObstacleFrame& frame, std::size_t first, Cell* cells) const;
+
+  /** The cells around a cell, and itself. */
+  Cell
+  window (int cell_u, int cell_v) const;
+
+  void
+  judgeCell (const ObstacleFrame& frame,
+             int cell_u,
+             int cell_v,
+             std::vector<ObstacleClass>& classes) const;
+
+  bool
+  isOtherSurface (const ObstacleFrame& frame, std::size_t point, float height) const;
+
+  ObstaclePointParameters parameters_;
+  float min_cos_ = 1.f;
+  int cell_size_ = 1;
+  int width_ = 0;
+  int cells_u_ = 0;
+  int cells_v_ = 0;
+  std::vector<Cell> cells_;
+  Row row_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Disjoint sets of pixels (union-find). The root of a set is its first pixel. */
+class PixelSets {
+public:
+  void
+  resize (std::size_t pixels)
+  {
+    parent_.resize (pixels);
+  }
+
+  /** \brief Makes pixel \a i a set of its own; needed before all else is asked of it. */
+  void
+  add (std::uint32_t i)
+  {
+    parent_[i] = i;
+  }
+
+  std::uint32_t
+  root (std::uint32_t i)
+  {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+
+  void
+  join (std::uint32_t i, std::uint32_t j)
+  {
+    const std::uint32_t a = root (i), b = root (j);
+    parent_[std::max (a, b)] = std::min (a, b);
+  }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

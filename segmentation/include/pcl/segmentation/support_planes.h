@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/organized_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/convex_outline.h>
+#include <pcl/segmentation/object_parameters.h>
+#include <pcl/segmentation/plane_moments.h>
+#include <pcl/types.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief A plane as a segmentation found it. */
+struct SegmentedPlane {
+  Plane plane;
+  const pcl::Indices* inliers = nullptr; /**< in ascending order */
+};
+
+/** \brief A horizontal plane that things can stand on, in the camera frame. */
+struct SupportPlane {
+  std::size_t index = 0; /**< among the planes of the segmentation */
+  Plane plane;
+  /** Directions in the plane; axis_x, axis_y and the normal are right-handed. */
+  Eigen::Vector3f axis_x, axis_y;
+  float height = 0.f; /**< of the centre of its points in the base frame */
+  ConvexOutline outline;
+  /** It lies on a thing that stands on another plane, like a lid. */
+  bool is_on_object = false;
+
+  Eigen::Vector2f
+  project (const float* p) const
+  {
+    const Eigen::Map<const Eigen::Vector3f> point (p);
+    return {axis_x.dot (point), axis_y.dot (point)};
+  }
+
+  Eigen::Vector3f
+  unproject (const Eigen::Vector2f& q) const
+  {
+    return q.x() * axis_x + q.y() * axis_y - plane.d * plane.normal;
+  }
+
+  /** \brief Standard deviation of the height of \a p above the plane: depth errs along the
+   * ray, and only a part of that points up. */
+  float
+  heightSigma (const float* p, const DepthNoise& noise) const
+  {
+    const Eigen::Map<const Eigen::Vector3f> point (p);
+    const float squared = point.squaredNorm();
+    return noise.sigma (squared) * std::fabs (plane.normal.dot (point)) /
+           std::sqrt (squared);
+  }
+};
+
+/** \brief Where a point is with respect to a supporting plane. */
+enum class Level { elsewhere, on_plane, above };
+
+/** \brief Whether a point at \a height above \a plane may belong to it: within half the smallest
+ * height of an object, or 2 standard deviations. */
+inline bool
+isWithinNoise (const float* p,
+               const Plane& plane,
+               float height,
+               const ObjectParameters& parameters)
+{
+  constexpr float sigmas = 2.f;
+  if (std::fabs (height) <= 0.5f * parameters.min_object_height)
+    return true;
+  // As SupportPlane::heightSigma(), without division and root.
+  const float squared = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  const float noise = sigmas * parameters.noise.sigma (squared) * (height - plane.d);
+  return height * height * squared <= noise * noise;
+}
+
+/** \brief Whether \a p lies on a plane, or up to the largest height of an object above it, in
+ * both cases inside of its outline. */
+inline Level
+levelOf (const float* p,
+         const SupportPlane& support,
+         const ObjectParameters& parameters)
+{
+  const float height = support.plane.distance (p);
+  if (height > parameters.max_object_height || height < -parameters.max_object_height ||
+      !support.outline.contains (support.project (p)))
+    return Level::elsewhere;
+  if (isWithinNoise (p, support.plane, height, parameters))
+    return Level::on_plane;
+  return height > 0.f ? Level::above : Level::elsewhere;
+}
+
+/** \brief Whether nearly all points of a thing lie above a plane, and over its hull. */
+PCL_RGBD_PLANES_EXPORTS bool
+liesAbove (const OrganizedPoints& points,
+           const pcl::Indices& thing,
+           const SupportPlane& support,
+           const ObjectParameters& parameters);
+
+/** \brief Finds the horizontal planes in a range of heights, optimises their models and
+ * computes their hulls (Holz et al. 2011, section 5.1). */
+class PCL_RGBD_PLANES_EXPORTS SupportPlanes {
+public:
+  /** \param[in] camera_to_base to a frame whose z axis points up */
+  void
+  compute (const OrganizedPoints& points,
+           const std::vector<SegmentedPlane>& planes,
+           const Eigen::Affine3f& camera_to_base,
+           const ObjectParameters& parameters);
+
+  /** \brief From the highest to the lowest. */
+  const std::vector<SupportPlane>&
+  planes () const
+  {
+    return supports_;
+  }
+
+private:
+  /** \brief The plane that most of a sample of the points agree on: RANSAC that starts
+   * from the model at hand, then least squares over the points that agree. */
+  Plane
+  optimise (const OrganizedPoints& points,
+            const SegmentedPlane& segmented,
+            const DepthNoise& noise);
+
+  void
+  outline (const OrganizedPoints& points,
+           const pcl::Indices& inliers,
+           const ObjectParameters& parameters,
+           SupportPlane& support);
+
+  void
+  markPlanesOnObjects (const OrganizedPoints& points,
+                       const std::vector<SegmentedPlane>& planes,
+                       const ObjectParameters& parameters);
+
+  std::vector<SupportPlane> supports_;
+  std::vector<Eigen::Vector3f> sample_;
+  std::vector<Eigen::Vector2f> border_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/camera_pose.h>
+#include <pcl/ModelCoefficients.h>
+#include <pcl/pcl_base.h>
+#include <pcl/point_types.h>
+#include <pcl/PointIndices.h>
+#include <pcl/segmentation/concave_split.h>
+#include <pcl/segmentation/object_box.h>
+#include <pcl/segmentation/object_clusters.h>
+#include <pcl/segmentation/support_planes.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief A thing that stands on a horizontal plane; coordinates in the frame of the cloud it
+ * was found in, metres. */
+struct SupportedObject {
+  /** Its points, in ascending order. */
+  pcl::PointIndices indices;
+  /** The mean of its points. */
+  Eigen::Vector3f centroid = Eigen::Vector3f::Zero();
+  /** The centre of its box, which rests on the plane. */
+  Eigen::Vector3f box_center = Eigen::Vector3f::Zero();
+  /** Columns are the directions of the sides of the box, right-handed; the last one is the
+   * normal of the plane. */
+  Eigen::Matrix3f box_axes = Eigen::Matrix3f::Identity();
+  /** Sides of the box along \a box_axes; the last one is its height. */
+  Eigen::Vector3f box_size = Eigen::Vector3f::Zero();
+  /** The plane it stands on, among those given to extract(). */
+  std::size_t support = 0;
+  /** Its smallest side is in the range of setGraspableSides(). */
+  bool graspable = false;
+};
+
+/** \brief Things that stand on horizontal planes, for a robot to grasp (Holz, Holzer, Rusu,
+ * Behnke: Real-Time Plane Segmentation using RGB-D Cameras, 2011, section 5.1).
+ *
+ * \code
+ * pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
+ * extraction.setBaseTransform (camera_to_base);
+ * extraction.setInputCloud (cloud);
+ * extraction.extract (model_coefficients, inlier_indices, objects);
+ * \endcode
+ *
+ * Horizontal planes in a range of heights support objects. Each model is optimised with
+ * RANSAC; the hull of its points, and some way around it, is where objects are looked for, up
+ * to their largest height. The points above, of other planes or none, are clustered along the
+ * image. A point counts as being above only where depth noise does not explain it. What
+ * continues outside of the hull or higher up is no object (walls, people), nor is what lies
+ * under a higher supporting plane (legs of a table). A thing on a thing is one object with it,
+ * but for setSplitAtConcaveEdges().
+ *
+ * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
+ * frame whose origin is the sensor will do if the base transform goes with it), and the planes
+ * that NormalSpacePlaneSegmentation or another segmentation found in it. NaN, Inf and (0, 0, 0)
+ * mean missing depth. With indices, only these points can be of objects. Output: objects in
+ * the order of their first points; replaced, not appended to.
+ *
+ * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
+ * its own in the list, or an index outside of the cloud: an error message and no objects.
+ *
+ * \ingroup segmentation
+ */
+template <typename PointT, typename PointNT>
+class PCL_RGBD_PLANES_EXPORTS SupportedObjectExtraction : public PCLBase<PointT> {
+  using PCLBase<PointT>::indices_;
+  using PCLBase<PointT>::input_;
+  using PCLBase<PointT>::use_indices_;
+
+public:
+  using Ptr = shared_ptr<SupportedObjectExtraction<PointT, PointNT>>;
+  using ConstPtr = shared_ptr<const SupportedObjectExtraction<PointT, PointNT>>;
+
+  using PointCloudN = pcl::PointCloud<PointNT>;
+  using PointCloudNPtr = typename PointCloudN::Ptr;
+  using PointCloudNConstPtr = typename PointCloudN::ConstPtr;
+
+  /** \brief One normal for each point of the input cloud, in the same order. Needed for
+   * setSplitAtConcaveEdges() only. */
+  void
+  setInputNormals (const PointCloudNConstPtr& normals)
+  {
+    normals_ = normals;
+  }
+
+  PointCloudNConstPtr
+  getInputNormals () const
+  {
+    return normals_;
+  }
+
+  /** \brief From the frame of the cloud to that of the robot: x forward, y left, z up, heights
+   * count from z = 0. Rigid. Default: the camera looks forward along x, without tilt, and is
+   * 2 cm to the left of the origin, at height 0 (section 3 of the paper). */
+  void
+  setBaseTransform (const Eigen::Affine3f& camera_to_base);
+
+  const Eigen::Affine3f&
+  getBaseTransform () const
+  {
+    return camera_to_base_;
+  }
+
+  /** \brief Supporting planes are tilted by no more than this; radians, 0 to pi / 2, default
+   * 0.26 (15 degrees). */
+  void
+  setHorizontalTolerance (double tolerance);
+
+  double
+  getHorizontalTolerance () const
+  {
+    return parameters_.horizontal_tolerance;
+  }
+
+  /** \brief Heights of supporting planes in the base frame, where their points are on
+   * average, give or take 3 standard deviations of depth; metres, default 0 to 1.2. */
+  void
+  setPlaneHeights (double lowest, double highest);
+
+  double
+  getMinPlaneHeight () const
+  {
+    return parameters_.min_plane_height;
+  }
+
+  double
+  getMaxPlaneHeight () const
+  {
+    return parameters_.max_plane_height;
+  }
+
+  /** \brief Objects reach no higher above their plane; metres, more than 0, default 0.3. */
+  void
+  setMaxObjectHeight (double height);
+
+  double
+  getMaxObjectHeight () const
+  {
+    return parameters_.max_object_height;
+  }
+
+  /** \brief Things that are lower, or lower than 3 standard deviations of depth, are noise;
+   * metres, more than 0, default 0.01. */
+  void
+  setMinObjectHeight (double height);
+
+  double
+  getMinObjectHeight () const
+  {
+    return parameters_.min_object_height;
+  }
+
+  /** \brief How far outside of the hull of its plane a point of an object may lie; metres, 0
+   * or more, default 0.03. */
+  void
+  setHullTolerance (double tolerance);
+
+  double
+  getHullTolerance () const
+  {
+    return parameters_.hull_tolerance;
+  }
+
+  /** \brief Neighbouring points are of one object when they are no further apart than three
+   * pixels are wide there, plus this many standard deviations of depth; 0 or more, default
+   * 1. */
+  void
+  setClusterTolerance (double sigmas);
+
+  double
+  getClusterTolerance () const
+  {
+    return parameters_.cluster_tolerance;
+  }
+
+  /** \brief Objects have at least so many points; default 50, which suits 640 x 480 pixels:
+   * take fewer for smaller images. */
+  void
+  setMinPoints (unsigned min_points)
+  {
+    parameters_.min_points = min_points;
+  }
+
+  unsigned
+  getMinPoints () const
+  {
+    return parameters_.min_points;
+  }
+
+  /** \brief What a gripper can grasp: the smallest side of a box; metres, default 0.01 to
+   * 0.1. */
+  void
+  setGraspableSides (double smallest, double largest);
+
+  double
+  getMinGraspableSide () const
+  {
+    return parameters_.min_graspable_side;
+  }
+
+  double
+  getMaxGraspableSide () const
+  {
+    return parameters_.max_graspable_side;
+  }
+
+  /** \brief Whether to split objects that touch along concave edges and steps between their
+   * surfaces; default false. An object that stands on another one then rests on that one's
+   * top, where this is a plane. */
+  void
+  setSplitAtConcaveEdges (bool split)
+  {
+    parameters_.split_at_concave_edges = split;
+  }
+
+  bool
+  getSplitAtConcaveEdges () const
+  {
+    return parameters_.split_at_concave_edges;
+  }
+
+  /** \brief Finds the objects.
+   * \param[in] model_coefficients a, b, c, d of each plane, a x + b y + c z + d = 0; the normal
+   * faces the sensor and has unit length
+   * \param[in] inlier_indices the points of each plane, in ascending order
+   * \param[out] objects the objects
+   */
+  void
+  extract (const std::vector<ModelCoefficients>& model_coefficients,
+           const std::vector<PointIndices>& inlier_indices,
+           std::vector<SupportedObject>& objects);
+
+  /** \brief The horizontal planes in the range of heights, as the last call of extract() found
+   * and optimised them, with their hulls. */
+  const std::vector<rgbd_planes::SupportPlane>&
+  getSupportPlanes () const
+  {
+    return supports_.planes();
+  }
+
+protected:
+  std::string
+  getClassName () const
+  {
+    return "SupportedObjectExtraction";
+  }
+
+private:
+  /** \brief Sets \a parameter to \a value, or says why not. */
+  void
+  setLength (const char* setter, bool may_be_zero, double value, float& parameter);
+
+  void
+  setRange (const char* setter, double low, double high, float& min, float& max);
+
+  bool
+  checkInput (const std::vector<ModelCoefficients>& model_coefficients,
+              const std::vector<PointIndices>& inlier_indices) const;
+
+  void
+  findClusters (const rgbd_planes::OrganizedPoints& points);
+
+  void
+  describe (const rgbd_planes::OrganizedPoints& points,
+            const rgbd_planes::ObjectCluster& cluster,
+            SupportedObject& object);
+
+  PointCloudNConstPtr normals_;
+  Eigen::Affine3f camera_to_base_ = rgbd_planes::defaultCameraToBase();
+  rgbd_planes::ObjectParameters parameters_;
+  std::vector<rgbd_planes::SegmentedPlane> planes_;
+  std::vector<std::uint8_t> selected_;
+  rgbd_planes::SupportPlanes supports_;
+  rgbd_planes::ObjectClusters clustering_;
+  rgbd_planes::ConcaveSplit split_;
+  std::vector<rgbd_planes::ObjectCluster> clusters_;
+  rgbd_planes::ObjectBoxFinder boxes_;
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/segmentation/impl/supported_object_extraction.hpp>
+#endif

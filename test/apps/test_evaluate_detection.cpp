@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "app_test.h"
+#include "synthetic_clouds.h"
+
+#include <pcl/io/pcd_io.h>
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+using nlohmann::json;
+
+namespace {
+
+class EvaluateDetection : public AppTest {
+protected:
+  EvaluateDetection() : AppTest (EVALUATE_DETECTION) {}
+
+  json
+  results () const
+  {
+    return json::parse (readFile (folder_ / "table.json"))["results"];
+  }
+};
+
+} // namespace
+
+TEST_F (EvaluateDetection, ObstaclesOnSimulatedFloors)
+{
+  const Outcome outcome =
+      run ("sim:floor_obstacles:1 sim:floor_obstacles:2 sim:floor_obstacles:3 --json "
+           "table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_EQ (outcome.err, "");
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 3u);
+  const double max_false_percent[] = {0.1, 0.15, 0.2};
+  const char* resolutions[] = {"vga", "qvga", "qqvga"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ (rows[i]["resolution"], resolutions[i]);
+    EXPECT_EQ (rows[i]["obstacles_percent"], 100.) << resolutions[i];
+    EXPECT_LE (rows[i]["false_obstacle_points_percent"], max_false_percent[i]);
+    EXPECT_GT (rows[i]["rate_hz"], 0.);
+  }
+}
+
+TEST_F (EvaluateDetection, ObjectsOnASimulatedTable)
+{
+  const Outcome outcome = run ("sim:table_single:1 --resolution qvga --object-methods "
+                               "--json table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 1u);
+  EXPECT_EQ (rows[0]["objects_percent"], 100.);
+  EXPECT_EQ (rows[0]["apart_50_percent"], 100.);
+  EXPECT_EQ (rows[0]["false_objects"], 0);
+  EXPECT_EQ (rows[0]["false_object_points_percent"], 0.);
+  const json methods =
+      json::parse (readFile (folder_ / "table.json"))["object_methods"];
+  ASSERT_EQ (methods.size(), 3u);
+  EXPECT_EQ (methods[1]["method"], "supported_split");
+  EXPECT_EQ (methods[1]["objects_percent"], rows[0]["objects_percent"]);
+  EXPECT_EQ (methods[2]["method"], "pcl_lccp");
+}
+
+TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
+{
+  const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
+  pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
+  ASSERT_EQ (run ("wall.pcd --resolution qvga --json table.json").code, 0);
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 1u);
+  EXPECT_TRUE (rows[0].at ("obstacles_percent").is_null());
+  EXPECT_TRUE (rows[0].at ("false_obstacle_points_percent").is_null());
+  EXPECT_TRUE (rows[0].at ("objects_percent").is_null());
+  EXPECT_TRUE (rows[0].at ("false_objects").is_null());
+  EXPECT_TRUE (rows[0].at ("false_object_points_percent").is_null());
+  EXPECT_GT (rows[0]["rate_hz"], 0.);
+}
+
+TEST_F (EvaluateDetection, BadUsage)
+{
+  expectRefused ("", "INPUT");
+  expectRefused ("sim:nowhere", "nowhere");
+  expectRefused ("sim:floor_obstacles --json no/where.json", "no");
+}

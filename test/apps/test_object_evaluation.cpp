@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/object_evaluation.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+/** Objects 1, 2 and 3: 100 points each, in a row of their own, 1 m away. Between 1 and 2 are
+ * 10 cm, between 2 and 3 1 cm; 100 more points are of no object. */
+class ObjectEvaluationTest : public testing::Test {
+protected:
+  ObjectEvaluationTest()
+  {
+    const float rows[] = {0.f, 0.1f, 0.11f, 0.3f};
+    for (std::uint32_t row = 0; row < 4; ++row)
+      for (int i = 0; i < 100; ++i) {
+        points_.insert (points_.end(),
+                        {0.001f * static_cast<float> (i), rows[row], 1.f});
+        truth_.ids.push_back (row < 3 ? row + 1 : 0);
+      }
+    for (int row = 0; row < 3; ++row)
+      found_.push_back (
+          {range (100 * row, 100 * row + 100), {0.05f, 0.04f, 0.03f}, true});
+  }
+
+  static pcl::Indices
+  range (int first, int last)
+  {
+    pcl::Indices indices (static_cast<std::size_t> (last - first));
+    std::iota (indices.begin(), indices.end(), first);
+    return indices;
+  }
+
+  ObjectEvaluation
+  evaluate () const
+  {
+    const OrganizedPoints points{points_.data(), 3, 100, 4};
+    ObjectEvaluation evaluation;
+    evaluation.add (points, points, truth_, found_);
+    return evaluation;
+  }
+
+  std::vector<float> points_;
+  ObjectTruth truth_;
+  std::vector<FoundObject> found_;
+};
+
+} // namespace
+
+TEST_F (ObjectEvaluationTest, TruthItself)
+{
+  const ObjectEvaluation result = evaluate();
+  EXPECT_EQ (result.apart.objects, 1u);
+  EXPECT_EQ (result.touching.objects, 2u);
+  EXPECT_EQ (result.all().found_50, 3u);
+  EXPECT_EQ (result.all().found_80, 3u);
+  EXPECT_EQ (result.false_objects, 0u);
+  EXPECT_EQ (result.sized, 0u);
+}
+
+TEST_F (ObjectEvaluationTest, IntersectionOverUnion)
+{
+  found_[0].indices = range (0, 50); // exactly a half
+  found_[1].indices = range (100, 180);
+  found_[2].indices = range (200, 249);
+  const ObjectEvaluation result = evaluate();
+  EXPECT_EQ (result.apart.found_50, 1u);
+  EXPECT_EQ (result.apart.found_80, 0u);
+  EXPECT_EQ (result.touching.found_50, 1u);
+  EXPECT_EQ (result.touching.found_80, 1u);
+}
+
+TEST_F (ObjectEvaluationTest, OneForOne)
+{
+  // Halves of one object; a merge of two.
+  found_ = {{range (0, 50), {}, false},
+            {range (50, 100), {}, false},
+            {range (100, 300), {}, false}};
+  const ObjectEvaluation result = evaluate();
+  EXPECT_EQ (result.apart.found_50, 1u);
+  EXPECT_EQ (result.touching.found_50, 1u);
+}
+
+TEST_F (ObjectEvaluationTest, FalseObjects)
+{
+  found_[0].indices = range (251, 350); // 49 points on an object, 50 on none
+  found_[1].indices = range (250, 350); // half of its points
+  const ObjectEvaluation result = evaluate();
+  EXPECT_EQ (result.false_objects, 1u);
+  EXPECT_DOUBLE_EQ (result.falsePointsPercent(), 100. * 99 / 400);
+}
+
+TEST_F (ObjectEvaluationTest, ObjectsThatAreNotAskedFor)
+{
+  for (int i = 0; i < 51; ++i) // object 1 keeps 49 points, which are not false
+    points_[static_cast<std::size_t> (3 * i)] = std::numeric_limits<float>::quiet_NaN();
+  found_[0].indices = range (51, 100);
+  for (int i = 200; i < 300; ++i) // object 3 is far
+    points_[static_cast<std::size_t> (3 * i + 2)] = 3.6f;
+  const ObjectEvaluation result = evaluate();
+  EXPECT_EQ (result.all().objects, 1u);
+  EXPECT_EQ (result.apart.found_80, 1u);
+  EXPECT_EQ (result.false_objects, 0u);
+}
+
+TEST_F (ObjectEvaluationTest, LowObjectsAreNotAskedFor)
+{
+  truth_.objects = {{1, TrueObject::Shape::box, {0.1f, 0.1f, 0.009f}}};
+  EXPECT_EQ (evaluate().apart.objects, 0u);
+  truth_.objects[0].size.z() = 0.0101f;
+  EXPECT_EQ (evaluate().apart.objects, 1u);
+}
+
+TEST_F (ObjectEvaluationTest, SizesAndGraspability)
+{
+  truth_.objects = {{1, TrueObject::Shape::box, {0.045f, 0.048f, 0.035f}}};
+  ObjectEvaluation result = evaluate();
+  EXPECT_EQ (result.sized, 1u);
+  EXPECT_EQ (result.graspable_right, 1u);
+  EXPECT_EQ (result.boxes, 1u);
+  EXPECT_EQ (result.boxes_right, 1u);
+
+  truth_.objects[0].size = {0.2f, 0.3f, 0.25f};
+  EXPECT_EQ (evaluate().graspable_right, 0u);
+  found_[0].size = {0.28f, 0.219f, 0.23f}; // in the other order, each within 10 %
+  found_[0].graspable = false;
+  result = evaluate();
+  EXPECT_EQ (result.graspable_right, 1u);
+  EXPECT_EQ (result.boxes_right, 1u);
+  found_[0].size.z() = 0.224f;
+  EXPECT_EQ (evaluate().boxes_right, 0u);
+  truth_.objects[0].shape = TrueObject::Shape::cylinder;
+  EXPECT_EQ (evaluate().boxes, 0u);
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/filters/obstacle_filter.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using pcl::rgbd_planes::ObstacleClass;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/** A row of one point of each class, 0 to 5, and a second one of obstacles without a
+ * position, but for the last, 11. */
+class ObstacleFilterTest : public testing::Test {
+protected:
+  ObstacleFilterTest() : cloud_ (new Cloud (6, 2)), classes_ (new Classes (6, 2))
+  {
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      (*classes_)[i].label =
+          i < 6 ? i : static_cast<std::uint32_t> (ObstacleClass::obstacle);
+      (*cloud_)[i].getVector3fMap() << static_cast<float> (i), 0.f, 1.f;
+      if (i >= 6 && i < 11)
+        (*cloud_)[i].z = not_a_number;
+    }
+    (*cloud_)[0].z = not_a_number; // unmeasured
+    filter_.setInputCloud (cloud_);
+    filter_.setClasses (classes_);
+  }
+
+  pcl::Indices
+  kept ()
+  {
+    pcl::Indices indices;
+    filter_.filter (indices);
+    return indices;
+  }
+
+  using Classes = pcl::PointCloud<pcl::Label>;
+  Cloud::Ptr cloud_;
+  Classes::Ptr classes_;
+  pcl::ObstacleFilter<pcl::PointXYZ> filter_;
+};
+
+} // namespace
+
+TEST_F (ObstacleFilterTest, KeepsObstaclesAndDropOffs)
+{
+  EXPECT_EQ (kept(), (pcl::Indices{2, 3, 11}));
+  EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{0, 1, 4, 5, 6, 7, 8, 9, 10}));
+}
+
+TEST_F (ObstacleFilterTest, NegativeKeepsAllOthersThatAreFinite)
+{
+  filter_.setNegative (true);
+  EXPECT_EQ (kept(), (pcl::Indices{1, 4, 5}));
+  EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{0, 2, 3, 6, 7, 8, 9, 10, 11}));
+}
+
+TEST_F (ObstacleFilterTest, WithIndicesOnlyThesePointsAreLookedAtInTheirOrder)
+{
+  filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{11, 3, 1, 7}));
+  EXPECT_EQ (kept(), (pcl::Indices{11, 3}));
+  EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{1, 7}));
+}
+
+TEST_F (ObstacleFilterTest, CloudsAreFilteredAlsoInPlace)
+{
+  Cloud output;
+  filter_.filter (output);
+  ASSERT_EQ (output.size(), 3u);
+  EXPECT_EQ (output[2].x, 11.f);
+  filter_.filter (*cloud_);
+  ASSERT_EQ (cloud_->size(), 3u);
+  EXPECT_EQ ((*cloud_)[0].x, 2.f);
+}
+
+TEST_F (ObstacleFilterTest, TheOrganizationCanBeKept)
+{
+  filter_.setKeepOrganized (true);
+  filter_.setNegative (true);
+  Cloud output;
+  filter_.filter (output);
+  EXPECT_EQ (output.width, 6u);
+  EXPECT_EQ (output.height, 2u);
+  EXPECT_FALSE (output.is_dense);
+  EXPECT_EQ (output[1].x, 1.f);
+  EXPECT_TRUE (std::isnan (output[2].x));
+  filter_.setUserFilterValue (-7.f);
+  filter_.filter (output);
+  EXPECT_EQ (output[2].x, -7.f);
+  EXPECT_EQ (output[6].z, -7.f) << "points without a position are removed as well";
+}
+
+TEST_F (ObstacleFilterTest, RemovedIndicesNeedNotBeCollected)
+{
+  pcl::ObstacleFilter<pcl::PointXYZ> filter (false);
+  filter.setInputCloud (cloud_);
+  filter.setClasses (classes_);
+  pcl::Indices indices;
+  filter.filter (indices);
+  EXPECT_EQ (indices.size(), 3u);
+  EXPECT_TRUE (filter.getRemovedIndices()->empty());
+}
+
+TEST_F (ObstacleFilterTest, BadInputKeepsNothing)
+{
+  filter_.setClasses (nullptr);
+  EXPECT_TRUE (kept().empty());
+  filter_.setClasses (pcl::make_shared<Classes> (5, 2));
+  EXPECT_TRUE (kept().empty());
+  filter_.setClasses (classes_);
+  EXPECT_EQ (kept().size(), 3u);
+  filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{2, 12}));
+  EXPECT_TRUE (kept().empty());
+}

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/common/centroid.h>
+#include <pcl/common/io.h>
+#include <pcl/features/depth_noise.h>
+#include <pcl/filters/project_onto_planes.h>
+#include <pcl/point_types.h>
+#include <pcl/simulation/simulate.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Labels = pcl::PointCloud<pcl::Label>;
+using Projection = pcl::ProjectOntoPlanes<pcl::PointXYZ>;
+
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+pcl::ModelCoefficients
+model (const Eigen::Vector4f& plane)
+{
+  pcl::ModelCoefficients result;
+  result.values.assign (plane.data(), plane.data() + 4);
+  return result;
+}
+
+pcl::PointIndices
+indices (const pcl::Indices& list)
+{
+  pcl::PointIndices result;
+  result.indices = list;
+  return result;
+}
+
+const Eigen::Vector4f wall (0.f, 0.f, -1.f, 2.f);        // z = 2
+const Eigen::Vector4f slope (0.f, -0.6f, -0.8f, 1.f);    // unit normal
+const Eigen::Vector4f floor_plane (0.f, -1.f, 0.f, 1.f); // y = 1, below
+
+Cloud::Ptr
+points ()
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  cloud->push_back ({0.5f, -0.2f, 2.1f}); // near the wall
+  cloud->push_back ({0.3f, 0.7f, 0.8f});  // near the slope
+  cloud->push_back ({1.f, 1.f, 1.f});     // on nothing
+  cloud->push_back ({-0.4f, 0.1f, 1.9f}); // near the wall
+  return cloud;
+}
+
+void
+expectNear (const pcl::PointXYZ& actual, const Eigen::Vector3f& expected)
+{
+  EXPECT_LT ((actual.getVector3fMap() - expected).norm(), 1e-5f)
+      << actual << " instead of " << expected.transpose();
+}
+
+} // namespace
+
+TEST (ProjectOntoPlanes, PointsMoveAlongTheirViewingRay)
+{
+  const auto cloud = points();
+  Projection projection;
+  projection.setInputCloud (cloud);
+  projection.setPlanes ({model (wall), model (slope)},
+                        {indices ({0, 3}), indices ({1})});
+  Cloud output;
+  projection.filter (output);
+  ASSERT_EQ (output.size(), 4u);
+  expectNear (output[0], {0.5f * 2.f / 2.1f, -0.2f * 2.f / 2.1f, 2.f});
+  expectNear (output[3], {-0.4f * 2.f / 1.9f, 0.1f * 2.f / 1.9f, 2.f});
+  expectNear (output[2], {1.f, 1.f, 1.f});
+  const Eigen::Vector3f before = (*cloud)[1].getVector3fMap();
+  const Eigen::Vector3f after = output[1].getVector3fMap();
+  EXPECT_NEAR (slope.head<3>().dot (after) + slope[3], 0.f, 1e-6f);
+  EXPECT_LT (before.cross (after).norm(), 1e-6f);
+}
+
+TEST (ProjectOntoPlanes, OrAlongTheNormal)
+{
+  Projection projection;
+  projection.setDirection (Projection::Direction::normal);
+  projection.setInputCloud (points());
+  auto labels = pcl::make_shared<Labels> (4, 1);
+  const std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  const std::uint32_t label_of[] = {0, 1, none, 0};
+  for (std::size_t i = 0; i < 4; ++i)
+    (*labels)[i].label = label_of[i];
+  projection.setPlanes ({model (3.f * wall), model (-slope)}, labels);
+  Cloud output;
+  projection.filter (output);
+  expectNear (output[0], {0.5f, -0.2f, 2.f});
+  expectNear (output[2], {1.f, 1.f, 1.f});
+  const Eigen::Vector3f p (0.3f, 0.7f, 0.8f);
+  const float distance = slope.head<3>().dot (p) + slope[3];
+  expectNear (output[1], p - distance * slope.head<3>());
+}
+
+TEST (ProjectOntoPlanes, AtGrazingAnglesPointsMoveAlongTheNormal)
+{
+  // Over the floor 1 m below the camera, 3 cm off it; the ray meets it at y / z.
+  for (const float z : {5.f, 20.f, 1000.f}) {
+    auto cloud = pcl::make_shared<Cloud>();
+    cloud->push_back ({0.f, 0.97f, z});
+    Projection projection;
+    projection.setInputCloud (cloud);
+    projection.setPlanes ({model (floor_plane)}, {indices ({0})});
+    Cloud output;
+    projection.filter (output);
+    if (z < 9.f)
+      expectNear (output[0], {0.f, 1.f, z / 0.97f});
+    else
+      expectNear (output[0], {0.f, 1.f, z});
+    projection.setMaxRayFactor (1.f);
+    projection.filter (output);
+    expectNear (output[0], {0.f, 1.f, z});
+  }
+}
+
+TEST (ProjectOntoPlanes, PlanesThroughOrBehindTheCameraMoveNoPointFar)
+{
+  for (const Eigen::Vector4f& plane : {Eigen::Vector4f (0.f, 0.f, -1.f, 0.f),
+                                       Eigen::Vector4f (0.f, 0.f, -1.f, -0.5f),
+                                       Eigen::Vector4f (-1.f, 0.f, 0.f, 0.f)}) {
+    auto cloud = pcl::make_shared<Cloud>();
+    cloud->push_back ({0.01f, 0.02f, 0.1f});
+    Projection projection;
+    projection.setInputCloud (cloud);
+    projection.setPlanes ({model (plane)}, {indices ({0})});
+    Cloud output;
+    projection.filter (output);
+    const Eigen::Vector3f p = (*cloud)[0].getVector3fMap();
+    const float distance = plane.head<3>().dot (p) + plane[3];
+    expectNear (output[0], p - distance * plane.head<3>());
+  }
+}
+
+TEST (ProjectOntoPlanes, OrganizationAndMissingPointsStay)
+{
+  auto cloud = pcl::make_shared<Cloud> (2, 3);
+  cloud->header.frame_id = "camera";
+  cloud->is_dense = false;
+  (*cloud)[0].z = 2.1f;
+  (*cloud)[1].x = not_a_number;
+  (*cloud)[2].getVector3fMap() << 0.f, std::numeric_limits<float>::infinity(), 1.f;
+  Projection projection;
+  projection.setInputCloud (cloud);
+  projection.setPlanes ({model (wall)}, {indices ({0, 1, 2, 3})});
+  Cloud output;
+  projection.filter (output);
+  EXPECT_EQ (output.width, 2u);
+  EXPECT_EQ (output.height, 3u);
+  EXPECT_EQ (output.header.frame_id, "camera");
+  EXPECT_FALSE (output.is_dense);
+  expectNear (output[0], {0.f, 0.f, 2.f});
+  EXPECT_TRUE (std::isnan (output[1].x));
+  EXPECT_TRUE (std::isinf (output[2].y));
+  expectNear (output[3], {0.f, 0.f, 0.f});
+
+  projection.filter (*cloud);
+  EXPECT_EQ (cloud->height, 3u);
+  expectNear ((*cloud)[0], {0.f, 0.f, 2.f});
+}
+
+TEST (ProjectOntoPlanes, WithIndicesOnlyThesePointsMove)
+{
+  Projection projection;
+  projection.setInputCloud (points());
+  projection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{3, 2}));
+  projection.setPlanes ({model (wall)}, {indices ({0, 3})});
+  Cloud output;
+  projection.filter (output);
+  ASSERT_EQ (output.size(), 4u);
+  EXPECT_EQ (output[0].z, 2.1f);
+  EXPECT_FLOAT_EQ (output[3].z, 2.f);
+}
+
+TEST (ProjectOntoPlanes, WhatIsNoPlaneMovesNothing)
+{
+  Projection projection;
+  projection.setInputCloud (points());
+  pcl::ModelCoefficients three;
+  three.values = {0.f, 0.f, 1.f};
+  projection.setPlanes ({model (Eigen::Vector4f (0.f, 0.f, 0.f, 1.f)),
+                         three,
+                         model (Eigen::Vector4f (0.f, 0.f, 1.f, not_a_number))},
+                        {indices ({0}), indices ({1}), indices ({3})});
+  Cloud output;
+  projection.filter (output);
+  ASSERT_EQ (output.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    expectNear (output[i], (*points())[i].getVector3fMap());
+}
+
+TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
+{
+  Projection projection;
+  Cloud output;
+  const auto expectRefused = [&] (const char* what) {
+    output.resize (7);
+    projection.filter (output);
+    EXPECT_TRUE (output.empty()) << what;
+  };
+  projection.setInputCloud (points());
+  projection.setPlanes ({model (wall)}, Labels::ConstPtr());
+  expectRefused ("no points of the plane");
+  projection.setPlanes ({model (wall)}, pcl::make_shared<Labels> (3, 1));
+  expectRefused ("too few labels");
+  projection.setPlanes ({model (wall)}, {indices ({4})});
+  expectRefused ("an index outside");
+  projection.setPlanes ({model (wall)}, {indices ({0})});
+  projection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{-1}));
+  expectRefused ("an index outside");
+}
+
+namespace {
+
+/** Squared distances at ranges of 3.5 to 6 m, away from edges. */
+struct Residuals {
+  double before = 0., after = 0.;
+
+  double
+  improvement () const
+  {
+    return std::sqrt (before / after);
+  }
+};
+
+bool
+counts (const pcl::rgbd_planes::TruthPoint& truth, const pcl::PointXYZ& point)
+{
+  const float range = truth.getVector3fMap().norm();
+  return truth.label != 0 && truth.edge == 0 && range >= 3.5f && range <= 6.f &&
+         std::isfinite (point.z);
+}
+
+/** A frame with the noise of a Kinect as DepthNoise has it, not correlated and without
+ * the warp that calibration leaves, which moves planes as a whole. */
+Cloud::Ptr
+addNoise (const pcl::PointCloud<pcl::PointXYZRGB>& ideal)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  pcl::copyPointCloud (ideal, *cloud);
+  std::mt19937 generator (1);
+  std::normal_distribution<float> gauss;
+  for (auto& point : *cloud) {
+    const float sigma =
+        pcl::rgbd_planes::DepthNoise().sigma (point.getVector3fMap().squaredNorm());
+    point.getVector3fMap() *= 1.f + sigma * gauss (generator) / point.z;
+  }
+  return cloud;
+}
+
+/** The plane of the least sum of squared distances. */
+pcl::ModelCoefficients
+fitPlane (const Cloud& cloud, const pcl::Indices& points)
+{
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  pcl::computeMeanAndCovarianceMatrix (cloud, points, covariance, mean);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
+  const Eigen::Vector3d normal = solver.eigenvectors().col (0);
+  Eigen::Vector4d plane;
+  plane << normal, -normal.dot (mean.head<3>());
+  return model (plane.cast<float>());
+}
+
+} // namespace
+
+TEST (ProjectOntoPlanes, NoiseOfFarPlanesFallsFivefold)
+{
+  for (const std::string scene : {"corridor", "room"}) {
+    const auto frame =
+        pcl::rgbd_planes::simulate (scene, 1, pcl::rgbd_planes::Sensor::ideal);
+    const auto cloud = addNoise (*frame.cloud);
+    std::vector<pcl::PointIndices> inliers (frame.planes.size());
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      if (const std::uint32_t label = (*frame.truth)[i].label)
+        inliers[label - 1].indices.push_back (static_cast<pcl::index_t> (i));
+    std::vector<pcl::ModelCoefficients> planes;
+    for (const auto& plane : inliers)
+      planes.push_back (fitPlane (*cloud, plane.indices));
+
+    Projection projection;
+    projection.setInputCloud (cloud);
+    projection.setPlanes (planes, inliers);
+    Cloud corrected;
+    projection.filter (corrected);
+    Residuals residuals;
+    for (std::size_t i = 0; i < cloud->size(); ++i) {
+      const auto& truth = (*frame.truth)[i];
+      if (!counts (truth, (*cloud)[i]))
+        continue;
+      const Eigen::Vector4f& plane = frame.planes[truth.label - 1];
+      const auto square = [&plane] (const pcl::PointXYZ& p) {
+        const double distance = plane.head<3>().dot (p.getVector3fMap()) + plane[3];
+        return distance * distance;
+      };
+      residuals.before += square ((*cloud)[i]);
+      residuals.after += square (corrected[i]);
+    }
+    EXPECT_GE (residuals.improvement(), 5.) << scene;
+  }
+}

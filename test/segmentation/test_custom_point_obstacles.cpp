@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+// Point types that the libraries are not instantiated for.
+#define PCL_NO_PRECOMPILE
+
+#include "floor_scene.h"
+
+#include <pcl/common/io.h>
+#include <pcl/filters/camera_to_base.h>
+#include <pcl/filters/obstacle_filter.h>
+#include <pcl/filters/project_onto_planes.h>
+#include <pcl/register_point_struct.h>
+#include <pcl/segmentation/obstacle_detection.h>
+
+#include <gtest/gtest.h>
+
+struct EIGEN_ALIGN16 WarmPoint {
+  PCL_ADD_POINT4D
+  float temperature = 0.f;
+};
+
+POINT_CLOUD_REGISTER_POINT_STRUCT (
+    WarmPoint,
+    (float, x, x) (float, y, y) (float, z, z) (float, temperature, temperature))
+
+TEST (CustomPoints, GoThroughDetectionAndAllFilters)
+{
+  std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
+  for (const auto& face : synthetic::box ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.3f}))
+    patches.push_back (face);
+  const synthetic::FloorScene scene (patches, synthetic::cameraPose (0.8f, 0.45f));
+  auto cloud = pcl::make_shared<pcl::PointCloud<WarmPoint>>();
+  pcl::copyPointCloud (*scene.cloud, *cloud);
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    (*cloud)[i].temperature = static_cast<float> (i);
+
+  pcl::ObstacleDetection<WarmPoint, pcl::Normal> detection;
+  detection.setCameraToBase (scene.camera_to_base);
+  detection.setInputCloud (cloud);
+  detection.setInputNormals (scene.normals);
+  detection.setInputPlanes (scene.planes, scene.labels);
+  std::vector<pcl::rgbd_planes::Obstacle> obstacles;
+  auto classes = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+  detection.detect (obstacles, *classes);
+  ASSERT_EQ (obstacles.size(), 1u);
+
+  pcl::PointCloud<WarmPoint> output;
+  pcl::ObstacleFilter<WarmPoint> filter;
+  filter.setInputCloud (cloud);
+  filter.setClasses (classes);
+  filter.filter (output);
+  ASSERT_EQ (output.size(), obstacles[0].indices.size());
+  for (std::size_t i = 0; i < output.size(); ++i)
+    EXPECT_EQ (output[i].temperature, static_cast<float> (obstacles[0].indices[i]));
+
+  pcl::ProjectOntoPlanes<WarmPoint> projection;
+  projection.setInputCloud (cloud);
+  projection.setPlanes (scene.planes, scene.labels);
+  projection.filter (output);
+  EXPECT_EQ (output.back().temperature, cloud->back().temperature);
+  EXPECT_LT ((output.back().getVector3fMap() - cloud->back().getVector3fMap()).norm(),
+             1e-4f)
+      << "already on its plane";
+
+  pcl::CameraToBase<WarmPoint> to_base;
+  to_base.setTransform (scene.camera_to_base);
+  to_base.setInputCloud (cloud);
+  to_base.filter (output);
+  EXPECT_NEAR (output.back().z, 0.f, 1e-5f) << "on the floor";
+  EXPECT_EQ (output.back().temperature, cloud->back().temperature);
+}

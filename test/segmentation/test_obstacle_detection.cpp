@@ -1,0 +1,538 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "floor_scene.h"
+
+#include <pcl/segmentation/obstacle_detection.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using pcl::rgbd_planes::Obstacle;
+using pcl::rgbd_planes::ObstacleClass;
+using synthetic::box;
+using synthetic::cameraPose;
+using synthetic::floorAt;
+using synthetic::FloorScene;
+using synthetic::Patch;
+using Detection = pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal>;
+
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t no_plane = std::numeric_limits<std::uint32_t>::max();
+
+struct Result {
+  std::vector<Obstacle> obstacles;
+  pcl::PointCloud<pcl::Label> classes;
+
+  ObstacleClass
+  operator[] (std::size_t i) const
+  {
+    return static_cast<ObstacleClass> (classes[i].label);
+  }
+
+  std::size_t
+  count (ObstacleClass c) const
+  {
+    return static_cast<std::size_t> (
+        std::count_if (classes.begin(), classes.end(), [c] (const pcl::Label& label) {
+          return label.label == static_cast<std::uint32_t> (c);
+        }));
+  }
+};
+
+void
+setInput (Detection& detection, const FloorScene& scene)
+{
+  detection.setCameraToBase (scene.camera_to_base);
+  detection.setInputCloud (scene.cloud);
+  detection.setInputNormals (scene.normals);
+  detection.setInputPlanes (scene.planes, scene.labels);
+}
+
+Result
+detect (const FloorScene& scene)
+{
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  return result;
+}
+
+std::vector<Patch>
+operator+ (std::vector<Patch> a, const std::vector<Patch>& b)
+{
+  a.insert (a.end(), b.begin(), b.end());
+  return a;
+}
+
+const Eigen::Affine3f pose = cameraPose (0.8f, 0.45f);
+const std::vector<Patch> only_floor{floorAt (0.f)};
+const std::vector<Patch> a_box = box ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.3f});
+constexpr std::uint32_t box_front = 1; // of only_floor + a_box
+
+/** The share of the points of these patches that are of a class. */
+double
+share (const FloorScene& scene,
+       const Result& result,
+       std::uint32_t first_patch,
+       std::uint32_t last_patch,
+       ObstacleClass c)
+{
+  std::size_t points = 0, of_class = 0;
+  for (std::size_t i = 0; i < scene.labels->size(); ++i) {
+    const std::uint32_t patch = (*scene.labels)[i].label;
+    if (patch < first_patch || patch > last_patch)
+      continue;
+    ++points;
+    of_class += result[i] == c;
+  }
+  EXPECT_GT (points, 0u);
+  return static_cast<double> (of_class) / static_cast<double> (points);
+}
+
+float
+kinectSigma (float z)
+{
+  return 0.001f + 0.002f * z * z;
+}
+
+} // namespace
+
+TEST (ObstacleDetection, AnEmptyFloorIsSafe)
+{
+  const FloorScene scene (only_floor, pose);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+  EXPECT_TRUE (result.obstacles.empty());
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+  EXPECT_EQ (result.classes.width, 160u);
+  EXPECT_EQ (detection.getScan().ranges.size(), 361u);
+  for (const float range : detection.getScan().ranges)
+    EXPECT_TRUE (std::isinf (range));
+}
+
+TEST (ObstacleDetection, WhatSticksOutIsAnObstacle)
+{
+  for (const std::uint32_t width : {160u, 320u, 640u}) {
+    const FloorScene scene (only_floor + a_box, pose, width);
+    const Result result = detect (scene);
+    ASSERT_EQ (result.obstacles.size(), 1u);
+    const Obstacle& found = result.obstacles[0];
+    EXPECT_EQ (found.kind, Obstacle::Kind::obstacle);
+    EXPECT_TRUE (std::is_sorted (found.indices.begin(), found.indices.end()));
+    for (const auto i : found.indices)
+      EXPECT_EQ (result[static_cast<std::size_t> (i)], ObstacleClass::obstacle);
+    EXPECT_EQ (found.indices.size(), result.count (ObstacleClass::obstacle));
+    // All of the box but its lowest rows, nothing of the floor.
+    EXPECT_GT (share (scene, result, 1, 6, ObstacleClass::obstacle), 0.9);
+    EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+    EXPECT_NEAR (found.distance, 1.2f, 0.01f) << "the front, beside its centre";
+    EXPECT_NEAR (found.direction, 0.f, 0.02f);
+    EXPECT_NEAR (found.nearest.x(), 1.2f, 0.001f);
+  }
+}
+
+TEST (ObstacleDetection, LowObstaclesInTheNoiseAreFound)
+{
+  // 1 cm high where depth has a standard deviation of 3.2 mm.
+  const auto low_box = box ({0.7f, -0.08f, 0.f}, {0.82f, 0.08f, 0.01f});
+  for (const std::uint32_t width : {160u, 320u, 640u}) {
+    const FloorScene scene (only_floor + low_box, pose, width, kinectSigma);
+    const Result result = detect (scene);
+    EXPECT_GE (share (scene, result, 1, 6, ObstacleClass::obstacle), 0.5) << width;
+    EXPECT_GE (share (scene, result, 0, 0, ObstacleClass::floor), 0.998) << width;
+  }
+}
+
+TEST (ObstacleDetection, WhatDoesNotStickOutButIsTurnedIsAnObstacle)
+{
+  FloorScene scene (only_floor, pose, 320);
+  const Eigen::Vector3f up (scene.planes[0].values.data());
+  const Eigen::Vector3f turned =
+      Eigen::AngleAxisf (0.9f, Eigen::Vector3f::UnitX()) * up;
+  for (std::uint32_t v = 100; v < 140; ++v)
+    for (std::uint32_t u = 100; u < 160; ++u) {
+      (*scene.normals) (u, v).getNormalVector3fMap() = turned;
+      (*scene.labels) (u, v).label = no_plane;
+    }
+  // Alone, such normals are noise.
+  for (std::uint32_t v = 0; v < 60; v += 6)
+    for (std::uint32_t u = 0; u < 60; u += 6)
+      (*scene.normals) (u, v).getNormalVector3fMap() = turned;
+  const Result result = detect (scene);
+  ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_GT (result.obstacles[0].indices.size(), 0.85 * 40 * 60);
+  EXPECT_EQ (result.count (ObstacleClass::obstacle),
+             result.obstacles[0].indices.size());
+  for (const auto i : result.obstacles[0].indices) {
+    EXPECT_TRUE (i / 320 >= 100 && i / 320 < 140) << i;
+    EXPECT_TRUE (i % 320 >= 100 && i % 320 < 160) << i;
+  }
+}
+
+TEST (ObstacleDetection, ARampIsAnObstacleFromItsToeOn)
+{
+  // 8 degrees, from x = 1 m on.
+  const Patch ramp{Eigen::Vector3f (-0.139f, 0.f, 0.99f).normalized(),
+                   {1.f, 0.f, 0.f},
+                   [] (const Eigen::Vector3f& p) {
+                     return p.z() >= 0.f && p.x() < 1.6f && std::abs (p.y()) < 0.4f;
+                   }};
+  const FloorScene scene ({floorAt (0.f), ramp}, pose, 320);
+  const Result result = detect (scene);
+  ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_GT (share (scene, result, 1, 1, ObstacleClass::obstacle), 0.95);
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+  EXPECT_LT (result.obstacles[0].distance, 1.03f);
+}
+
+TEST (ObstacleDetection, ATableIsAnObstacleThoughHorizontal)
+{
+  const auto table = box ({1.f, -0.6f, 0.28f}, {1.8f, 0.6f, 0.3f});
+  const FloorScene scene (only_floor + table, pose);
+  const Result result = detect (scene);
+  EXPECT_EQ (share (scene, result, 1, 6, ObstacleClass::obstacle), 1.);
+}
+
+TEST (ObstacleDetection, AStepDownIsADropOffAtItsEdge)
+{
+  Patch near = floorAt (0.f);
+  near.covers = [] (const Eigen::Vector3f& p) { return p.x() < 1.5f; };
+  const FloorScene scene ({near, floorAt (-0.2f)}, pose, 320);
+  const Result result = detect (scene);
+  ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_EQ (result.obstacles[0].kind, Obstacle::Kind::drop_off);
+  EXPECT_EQ (share (scene, result, 1, 1, ObstacleClass::drop_off), 1.);
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+  EXPECT_NEAR (result.obstacles[0].distance, 1.5f, 0.02f);
+  EXPECT_NEAR (result.obstacles[0].nearest.z(), 0.f, 1e-3f);
+}
+
+TEST (ObstacleDetection, AHoleInTheFloorIsADropOff)
+{
+  const auto is_hole = [] (const Eigen::Vector3f& p) {
+    return p.x() > 1.2f && p.x() < 1.6f && std::abs (p.y()) < 0.2f;
+  };
+  Patch with_hole = floorAt (0.f);
+  with_hole.covers = [is_hole] (const Eigen::Vector3f& p) { return !is_hole (p); };
+  const FloorScene scene ({with_hole, floorAt (-0.3f)}, pose, 320);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_EQ (result.obstacles[0].kind, Obstacle::Kind::drop_off);
+  EXPECT_NEAR (result.obstacles[0].distance, 1.2f, 0.02f);
+  const auto& scan = detection.getScan();
+  EXPECT_NEAR (scan.ranges[180], 1.2f, 0.02f) << "straight ahead";
+  EXPECT_TRUE (std::isinf (scan.ranges[230])) << "25 degrees left of it";
+}
+
+TEST (ObstacleDetection, ShallowDropsAreNone)
+{
+  Patch near = floorAt (0.f);
+  near.covers = [] (const Eigen::Vector3f& p) { return p.x() < 1.f; };
+  const FloorScene scene ({near, floorAt (-0.02f)}, pose);
+  EXPECT_EQ (detect (scene).count (ObstacleClass::drop_off), 0u);
+}
+
+TEST (ObstacleDetection, SpecksAreNoObstacles)
+{
+  FloorScene scene (only_floor, pose, 320);
+  std::vector<std::size_t> specks;
+  for (std::uint32_t v = 50; v < 230; v += 30)
+    for (std::uint32_t u = 20; u < 310; u += 30)
+      for (const std::uint32_t k : {0u, 1u}) {
+        specks.push_back (v * 320 + u + k);
+        (*scene.cloud)[specks.back()].getVector3fMap() *= 0.7f;
+      }
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (result.obstacles.empty());
+  EXPECT_EQ (result.count (ObstacleClass::speck), specks.size());
+  for (const std::size_t i : specks)
+    EXPECT_EQ (result[i], ObstacleClass::speck);
+  for (const float range : detection.getScan().ranges)
+    EXPECT_TRUE (std::isinf (range));
+
+  detection.setMinClusterSize (2);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_EQ (result.obstacles.size(), specks.size() / 2);
+}
+
+TEST (ObstacleDetection, AnExcludedObjectIsNoObstacle)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  auto object = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < scene.labels->size(); ++i)
+    if ((*scene.labels)[i].label >= box_front && (*scene.labels)[i].label != no_plane)
+      object->push_back (static_cast<pcl::index_t> (i));
+  Detection detection;
+  setInput (detection, scene);
+  detection.setExcludedIndices (object);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (result.obstacles.empty());
+  EXPECT_EQ (result.count (ObstacleClass::excluded), object->size());
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+
+  detection.setExcludedIndices (nullptr);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_EQ (result.obstacles.size(), 1u);
+}
+
+TEST (ObstacleDetection, WithoutAFloorAllIsAnObstacle)
+{
+  // A wall; then a floor that the pose of the camera does not put at z = 0.
+  const Patch wall{-Eigen::Vector3f::UnitX(), {1.5f, 0.f, 0.f}};
+  FloorScene scene ({wall}, cameraPose (0.8f, 0.f));
+  (*scene.cloud)[5].getVector3fMap().setConstant (not_a_number);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  EXPECT_EQ (result.count (ObstacleClass::obstacle), scene.cloud->size() - 1);
+  EXPECT_EQ (result[5], ObstacleClass::unmeasured);
+  ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_NEAR (result.obstacles[0].distance, 1.5f, 0.01f);
+
+  const FloorScene low (only_floor, pose);
+  setInput (detection, low);
+  detection.setCameraToBase (cameraPose (0.9f, 0.45f));
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  EXPECT_EQ (result.count (ObstacleClass::floor), 0u);
+  detection.setFloorTolerances (0.17f, 0.2f);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+}
+
+TEST (ObstacleDetection, TheCameraMayBeTiltedAndItsPoseSlightlyOff)
+{
+  for (const float pitch : {0.2f, 0.6f})
+    for (const float roll : {-0.3f, 0.2f}) {
+      const FloorScene scene (only_floor + a_box, cameraPose (0.8f, pitch, roll), 320);
+      Detection detection;
+      setInput (detection, scene);
+      detection.setCameraToBase (cameraPose (0.82f, pitch + 0.01f, roll - 0.01f));
+      Result result;
+      detection.detect (result.obstacles, result.classes);
+      ASSERT_EQ (result.obstacles.size(), 1u);
+      EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+      EXPECT_NEAR (result.obstacles[0].distance, 1.2f, 0.03f);
+    }
+}
+
+TEST (ObstacleDetection, ObstaclesAreSeparateWhereDepthJumpsAndComeByDistance)
+{
+  const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});
+  const FloorScene scene (only_floor + behind + a_box, pose, 320);
+  const Result result = detect (scene);
+  ASSERT_EQ (result.obstacles.size(), 2u);
+  EXPECT_NEAR (result.obstacles[0].distance, 1.2f, 0.01f);
+  EXPECT_NEAR (result.obstacles[1].distance, 2.5f, 0.02f);
+}
+
+TEST (ObstacleDetection, TheScanHasTheClosestPointOfEachDirection)
+{
+  const auto things = a_box + box ({2.f, 0.3f, 0.f}, {2.5f, 0.7f, 0.5f}) +
+                      box ({0.8f, -1.f, 1.1f}, {3.f, 1.f, 1.2f});
+  const FloorScene scene (only_floor + things, cameraPose (0.8f, 0.2f), 320);
+  Detection detection;
+  setInput (detection, scene);
+  // The robot's own frame may be turned against its camera.
+  for (const float turn : {0.f, 1.5f, 3.1f}) {
+    const Eigen::Affine3f to_base =
+        Eigen::AngleAxisf (turn, Eigen::Vector3f::UnitZ()) * scene.camera_to_base;
+    detection.setCameraToBase (to_base);
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_min = -2.f;
+    limits.angle_max = 3.5f;
+    limits.angle_increment = 0.02f;
+    limits.range_min = 1.25f;
+    limits.range_max = 2.2f;
+    limits.max_height = 1.f;
+    detection.setScanLimits (limits);
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+
+    std::vector<float> expected (276, std::numeric_limits<float>::infinity());
+    for (const auto& obstacle : result.obstacles)
+      for (const auto i : obstacle.indices) {
+        const Eigen::Vector3f p =
+            to_base * (*scene.cloud)[static_cast<std::size_t> (i)].getVector3fMap();
+        const float range = std::hypot (p.x(), p.y());
+        double angle = std::atan2 (p.y(), p.x()) + 2.;
+        if (angle < -0.01)
+          angle += 2. * M_PI;
+        const auto step = static_cast<std::size_t> (std::lround (angle / 0.02));
+        if (range >= 1.25f && range <= 2.2f && p.z() <= 1.f && step < expected.size())
+          expected[step] = std::min (expected[step], range);
+      }
+    const auto& scan = detection.getScan();
+    EXPECT_FLOAT_EQ (scan.angle_min, -2.f);
+    EXPECT_FLOAT_EQ (scan.angle_max, 3.5f);
+    ASSERT_EQ (scan.ranges.size(), expected.size());
+    EXPECT_GT (std::count_if (expected.begin(),
+                              expected.end(),
+                              [] (float range) { return std::isfinite (range); }),
+               10);
+    std::size_t different = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      different += !(expected[k] == scan.ranges[k] ||
+                     std::abs (expected[k] - scan.ranges[k]) < 1e-4f);
+    EXPECT_LE (different, 2u) << "points that rounding puts on the other side";
+  }
+}
+
+TEST (ObstacleDetection, MissingPointsAreUnmeasured)
+{
+  FloorScene scene (only_floor + a_box, pose);
+  for (std::size_t i = 0; i < scene.cloud->size(); i += 3)
+    (*scene.cloud)[i].getVector3fMap().setConstant (i % 2 ? not_a_number : 0.f);
+  (*scene.cloud)[1].x = std::numeric_limits<float>::infinity();
+  for (auto& normal : *scene.normals)
+    normal.getNormalVector3fMap().setConstant (not_a_number);
+  const Result result = detect (scene);
+  for (std::size_t i = 0; i < scene.cloud->size(); i += 3)
+    EXPECT_EQ (result[i], ObstacleClass::unmeasured);
+  EXPECT_EQ (result[1], ObstacleClass::unmeasured);
+  EXPECT_GT (result.count (ObstacleClass::floor), scene.cloud->size() / 4);
+  EXPECT_FALSE (result.obstacles.empty());
+
+  for (auto& point : *scene.cloud)
+    point.getVector3fMap().setConstant (not_a_number);
+  const Result nothing = detect (scene);
+  EXPECT_TRUE (nothing.obstacles.empty());
+  EXPECT_EQ (nothing.count (ObstacleClass::unmeasured), scene.cloud->size());
+}
+
+TEST (ObstacleDetection, PointsBeyondTheRangeOfTheSensorAreUnmeasured)
+{
+  const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});
+  for (const bool has_floor : {true, false}) {
+    const FloorScene scene (only_floor + a_box + behind, pose);
+    Detection detection;
+    setInput (detection, scene);
+    detection.setDepthNoise ({0.001f, 0.002f, 2.f});
+    if (!has_floor)
+      detection.setCameraToBase (cameraPose (5.f, 0.45f));
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_EQ (detection.isFloorFound(), has_floor);
+    for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+      EXPECT_EQ (result[i] != ObstacleClass::unmeasured,
+                 (*scene.cloud)[i].getVector3fMap().norm() <= 2.f)
+          << i;
+  }
+}
+
+TEST (ObstacleDetection, WithIndicesOnlyThesePointsAreLookedAt)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  auto left = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    if (i % 160 < 80)
+      left->push_back (static_cast<pcl::index_t> (i));
+  const Result all = detect (scene);
+  Detection detection;
+  setInput (detection, scene);
+  detection.setIndices (left);
+  Result half;
+  detection.detect (half.obstacles, half.classes);
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    EXPECT_EQ (half[i], i % 160 < 80 ? all[i] : ObstacleClass::unmeasured) << i;
+}
+
+TEST (ObstacleDetection, AnyImageSizeWorksAndObjectsCanBeReused)
+{
+  Detection detection;
+  Result result;
+  for (const std::uint32_t width : {320u, 3u, 4u, 161u, 333u}) {
+    const FloorScene scene (only_floor + a_box, pose, width);
+    setInput (detection, scene);
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_EQ (result.classes.size(), scene.cloud->size());
+    const Result fresh = detect (scene);
+    ASSERT_EQ (result.obstacles.size(), fresh.obstacles.size());
+    for (std::size_t i = 0; i < fresh.classes.size(); ++i)
+      EXPECT_EQ (result[i], fresh[i]);
+  }
+}
+
+TEST (ObstacleDetection, BadInputGivesEmptyOutput)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  Detection detection;
+  Result result;
+  const auto expectRefused = [&] (const char* what) {
+    result = detect (scene);
+    EXPECT_FALSE (result.obstacles.empty());
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_TRUE (result.obstacles.empty()) << what;
+    EXPECT_TRUE (result.classes.empty()) << what;
+    EXPECT_TRUE (detection.getScan().ranges.empty()) << what;
+  };
+  expectRefused ("no cloud");
+  setInput (detection, scene);
+  detection.setInputNormals (nullptr);
+  expectRefused ("no normals");
+  setInput (detection, scene);
+  detection.setInputPlanes (scene.planes, nullptr);
+  expectRefused ("no labels");
+  setInput (detection, scene);
+  auto line = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (*scene.cloud);
+  line->width = static_cast<std::uint32_t> (line->size());
+  line->height = 1;
+  detection.setInputCloud (line);
+  expectRefused ("unorganized");
+  setInput (detection, scene);
+  detection.setExcludedIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{-1}));
+  expectRefused ("an excluded index outside");
+  detection.setExcludedIndices (nullptr);
+  detection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{1 << 20}));
+  expectRefused ("an index outside");
+}
+
+TEST (ObstacleDetection, SettersRefuseWhatMakesNoSense)
+{
+  Detection detection;
+  detection.setCameraToBase (pose);
+  Eigen::Affine3f scaled = pose;
+  scaled.linear() *= 2.f;
+  detection.setCameraToBase (scaled);
+  EXPECT_TRUE (detection.getCameraToBase().isApprox (pose));
+  for (const float increment : {0.f, -0.1f, not_a_number, 1e-9f}) {
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_increment = increment;
+    detection.setScanLimits (limits);
+    EXPECT_FLOAT_EQ (detection.getScanLimits().angle_increment, 0.0087266463f);
+  }
+}
+
+TEST (ObstacleDetection, PlanesThatAreNoneDoNoHarm)
+{
+  FloorScene scene (only_floor + a_box, pose);
+  pcl::ModelCoefficients none;
+  for (const std::vector<float>& values :
+       {std::vector<float>{},
+        std::vector<float>{0.f, 0.f, 0.f, 0.f},
+        std::vector<float>{1.f, 0.f, not_a_number, 0.f}}) {
+    none.values = values;
+    scene.planes.push_back (none);
+  }
+  // The floor with the other sign and another length is the same plane.
+  for (auto& value : scene.planes[0].values)
+    value *= -2.f;
+  EXPECT_EQ (detect (scene).obstacles.size(), 1u);
+}

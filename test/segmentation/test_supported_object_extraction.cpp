@@ -1,0 +1,510 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "table_scenes.h"
+
+#include <pcl/segmentation/supported_object_extraction.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using Eigen::Vector3f;
+using table_scenes::Box;
+using table_scenes::Camera;
+using table_scenes::look;
+using table_scenes::View;
+using Extraction = pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal>;
+using Objects = std::vector<pcl::SupportedObject>;
+
+namespace {
+
+const Box floor_slab{{3.f, 0.f, -0.1f}, {8.f, 8.f, 0.1f}};
+const Box table{{1.2f, 0.f, 0.66f}, {0.8f, 1.f, 0.04f}};
+constexpr float table_height = 0.7f;
+
+Box
+onTable (float x, float y, const Vector3f& size, float yaw = 0.f)
+{
+  return {{x, y, table_height}, size, yaw};
+}
+
+Objects
+extract (Extraction& extraction, const View& view)
+{
+  extraction.setBaseTransform (view.camera_to_base);
+  extraction.setInputCloud (view.cloud);
+  extraction.setInputNormals (view.normals);
+  Objects objects (3); // what is in there must not stay
+  extraction.extract (view.models, view.inliers, objects);
+  return objects;
+}
+
+Objects
+extract (const View& view)
+{
+  Extraction extraction;
+  return extract (extraction, view);
+}
+
+/** Intersection over union of an object and the pixels of a box. */
+double
+iou (const pcl::SupportedObject& object, const View& view, int box)
+{
+  const auto truth = view.pixelsOf (box);
+  const auto both = std::count_if (object.indices.indices.begin(),
+                                   object.indices.indices.end(),
+                                   [&] (auto i) { return truth.count (i) != 0; });
+  return static_cast<double> (both) /
+         static_cast<double> (truth.size() + object.indices.indices.size() - both);
+}
+
+/** The best of iou() over the objects. */
+double
+bestIou (const Objects& objects, const View& view, int box)
+{
+  double best = 0.;
+  for (const auto& object : objects)
+    best = std::max (best, iou (object, view, box));
+  return best;
+}
+
+Vector3f
+sorted (Vector3f size)
+{
+  if (size.x() > size.y())
+    std::swap (size.x(), size.y());
+  return size;
+}
+
+} // namespace
+
+TEST (SupportedObjectExtraction, EmptyScene)
+{
+  EXPECT_TRUE (extract (look ({})).empty());
+}
+
+TEST (SupportedObjectExtraction, TableWithoutObjects)
+{
+  EXPECT_TRUE (extract (look ({floor_slab, table})).empty());
+  for (const float noise : {0.5f, 1.f})
+    EXPECT_TRUE (extract (look ({floor_slab, table}, {}, noise)).empty());
+}
+
+TEST (SupportedObjectExtraction, KnowsABox)
+{
+  const Box box = onTable (1.1f, 0.1f, {0.1f, 0.06f, 0.12f}, 0.5f);
+  const View view = look ({floor_slab, table, box});
+  Extraction extraction;
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  const auto& object = objects.front();
+  // Its lowest 5 mm and what noise explains are left out.
+  EXPECT_GT (iou (object, view, 2), 0.9);
+  EXPECT_LT ((sorted (object.box_size) - sorted (box.size)).cwiseAbs().maxCoeff(),
+             0.006f)
+      << object.box_size.transpose();
+  const Vector3f center = view.camera_to_base * object.box_center;
+  EXPECT_LT ((center - box.bottom_center - Vector3f (0.f, 0.f, 0.06f)).norm(), 0.006f);
+  const Eigen::Matrix3f axes = view.camera_to_base.linear() * object.box_axes;
+  EXPECT_GT (axes (2, 2), 0.9999f);
+  EXPECT_NEAR (object.box_axes.determinant(), 1.f, 1e-4f);
+  // The side that is 10 cm long, up to its sign.
+  const Vector3f longest = axes.col (object.box_size.x() > object.box_size.y() ? 0 : 1);
+  EXPECT_GT (std::fabs (longest.dot (Vector3f (std::cos (0.5f), std::sin (0.5f), 0.f))),
+             0.995f);
+  EXPECT_EQ (object.support, view.top.at (1));
+  EXPECT_TRUE (object.graspable);
+  EXPECT_TRUE (
+      std::is_sorted (object.indices.indices.begin(), object.indices.indices.end()));
+
+  Vector3f mean = Vector3f::Zero();
+  for (const auto i : object.indices.indices)
+    mean += (*view.cloud)[i].getVector3fMap() / object.indices.indices.size();
+  EXPECT_LT ((mean - object.centroid).norm(), 1e-4f);
+
+  // The hull of the table, as far as the camera sees it; its edge noise-free.
+  const auto& supports = extraction.getSupportPlanes();
+  ASSERT_GE (supports.size(), 2u);
+  for (const auto& support : supports)
+    if (support.index == view.top.at (1)) {
+      for (const auto& corner : support.outline.corners()) {
+        const Vector3f p = view.camera_to_base * support.unproject (corner);
+        EXPECT_NEAR (p.z(), table_height, 1e-3f);
+        EXPECT_LT (std::fabs (p.x() - 1.2f), 0.401f);
+        EXPECT_LT (std::fabs (p.y()), 0.501f);
+      }
+    }
+}
+
+TEST (SupportedObjectExtraction, GraspableBySmallestSide)
+{
+  const View view =
+      look ({floor_slab, table, onTable (1.1f, 0.f, {0.13f, 0.14f, 0.15f})});
+  Extraction extraction;
+  Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_FALSE (objects.front().graspable);
+  extraction.setGraspableSides (0.1, 0.15);
+  objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_TRUE (objects.front().graspable);
+  extraction.setGraspableSides (0.14, 0.2);
+  EXPECT_FALSE (extract (extraction, view).front().graspable);
+}
+
+TEST (SupportedObjectExtraction, TiltedCameraAndNoise)
+{
+  Camera camera;
+  camera.roll = 0.3f;
+  camera.pitch_down = 0.8f;
+  const Box box = onTable (1.1f, 0.1f, {0.1f, 0.06f, 0.12f}, 1.f);
+  const View view = look ({floor_slab, table, box}, camera, 0.5f);
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 2), 0.8);
+  EXPECT_LT (
+      (sorted (objects.front().box_size) - sorted (box.size)).cwiseAbs().maxCoeff(),
+      0.01f);
+  // Who believes the camera to be level, sees no horizontal plane.
+  View wrong = view;
+  wrong.camera_to_base = Camera{1.4f, 0.f, 0.f}.toBase();
+  EXPECT_TRUE (extract (wrong).empty());
+}
+
+TEST (SupportedObjectExtraction, HeightsOfPlanes)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  Extraction extraction;
+  extraction.setPlaneHeights (0.65, 0.75);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setPlaneHeights (0.72, 1.2);
+  EXPECT_TRUE (extract (extraction, view).empty());
+  extraction.setPlaneHeights (0.1, 0.68);
+  EXPECT_TRUE (extract (extraction, view).empty());
+}
+
+TEST (SupportedObjectExtraction, TallThingsAreNoObjects)
+{
+  const View view = look ({floor_slab, table, onTable (1.3f, 0.f, {0.1f, 0.1f, 0.4f})});
+  Extraction extraction;
+  EXPECT_TRUE (extract (extraction, view).empty());
+  extraction.setMaxObjectHeight (0.45);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+}
+
+TEST (SupportedObjectExtraction, LowThingsAreNoise)
+{
+  Extraction extraction;
+  for (const float height : {0.004f, 0.008f})
+    EXPECT_TRUE (
+        extract (extraction,
+                 look ({floor_slab, table, onTable (0.95f, 0.f, {0.1f, 0.1f, height})}))
+            .empty());
+  const View view =
+      look ({floor_slab, table, onTable (0.95f, 0.f, {0.1f, 0.1f, 0.014f})});
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setMinObjectHeight (0.02);
+  EXPECT_TRUE (extract (extraction, view).empty());
+  // At 2.9 m, three standard deviations of depth are 5 cm, of which half points up.
+  const Box far_table{{2.5f, 0.f, 0.f}, {1.f, 1.f, 0.1f}};
+  const auto far = [&] (float height) {
+    return look ({far_table, {{2.5f, 0.f, 0.1f}, {0.2f, 0.2f, height}}},
+                 Camera{1.5f, 0.5f});
+  };
+  extraction.setMinObjectHeight (0.01);
+  EXPECT_TRUE (extract (extraction, far (0.02f)).empty());
+  EXPECT_EQ (extract (extraction, far (0.05f)).size(), 1u);
+}
+
+TEST (SupportedObjectExtraction, HullTolerance)
+{
+  // Things hang over the edge of the table on the left, by 2 cm and by 8 cm.
+  const auto overhanging = [] (float by) {
+    return look (
+        {floor_slab, table, onTable (1.1f, 0.5f + by - 0.05f, {0.1f, 0.1f, 0.1f})});
+  };
+  Extraction extraction;
+  const View little = overhanging (0.02f), much = overhanging (0.08f);
+  EXPECT_GT (bestIou (extract (extraction, little), little, 2), 0.85);
+  EXPECT_LT (bestIou (extract (extraction, much), much, 2), 0.7);
+  extraction.setHullTolerance (0.1);
+  EXPECT_GT (bestIou (extract (extraction, much), much, 2), 0.85);
+}
+
+TEST (SupportedObjectExtraction, MinPoints)
+{
+  const View view =
+      look ({floor_slab, table, onTable (1.1f, 0.f, {0.05f, 0.05f, 0.05f})});
+  Extraction extraction;
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  const auto points = static_cast<unsigned> (objects.front().indices.indices.size());
+  extraction.setMinPoints (points);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setMinPoints (points + 1);
+  EXPECT_TRUE (extract (extraction, view).empty());
+}
+
+TEST (SupportedObjectExtraction, ApartObjects)
+{
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (1.f, 0.2f, {0.06f, 0.06f, 0.1f}),
+                           onTable (1.f, 0.115f, {0.06f, 0.06f, 0.1f}),
+                           onTable (1.25f, -0.2f, {0.1f, 0.1f, 0.03f})});
+  const Objects objects = extract (view);
+  EXPECT_EQ (objects.size(), 3u);
+  for (const int box : {2, 3, 4})
+    EXPECT_GT (bestIou (objects, view, box), 0.8) << box;
+}
+
+TEST (SupportedObjectExtraction, SplitsTouchingObjects)
+{
+  // The second one is lower and 2 cm further from the camera.
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (1.f, -0.25f, {0.1f, 0.1f, 0.15f}),
+                           onTable (1.02f, -0.15f, {0.1f, 0.1f, 0.08f})});
+  Extraction extraction;
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  EXPECT_EQ (objects.size(), 2u);
+  for (const int box : {2, 3})
+    EXPECT_GT (bestIou (objects, view, box), 0.85) << box;
+}
+
+TEST (SupportedObjectExtraction, SplitKeepsAConvexObjectWhole)
+{
+  const View view =
+      look ({floor_slab, table, onTable (1.f, 0.f, {0.15f, 0.15f, 0.15f}, 0.7f)});
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+}
+
+TEST (SupportedObjectExtraction, ObjectOnAnObject)
+{
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (1.1f, 0.f, {0.2f, 0.2f, 0.08f}),
+                           {{1.1f, 0.f, table_height + 0.08f}, {0.08f, 0.08f, 0.08f}}});
+  Extraction extraction;
+  Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_NEAR (objects.front().box_size.z(), 0.16f, 0.005f);
+  EXPECT_EQ (objects.front().support, view.top.at (1));
+
+  extraction.setSplitAtConcaveEdges (true);
+  objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 2u);
+  for (const auto& object : objects) {
+    const bool is_upper = iou (object, view, 3) > iou (object, view, 2);
+    EXPECT_GT (iou (object, view, is_upper ? 3 : 2), 0.85);
+    EXPECT_EQ (object.support, view.top.at (is_upper ? 2 : 1));
+    EXPECT_NEAR (object.box_size.z(), 0.08f, 0.005f);
+  }
+}
+
+TEST (SupportedObjectExtraction, SeveralTables)
+{
+  const Box low_table{{1.2f, 0.45f, 0.46f}, {0.6f, 0.5f, 0.04f}};
+  const Box high_table{{1.2f, -0.35f, 0.66f}, {0.6f, 0.6f, 0.04f}};
+  const View view = look ({floor_slab,
+                           low_table,
+                           high_table,
+                           {{1.2f, 0.4f, 0.5f}, {0.1f, 0.1f, 0.1f}},
+                           {{1.2f, -0.3f, 0.7f}, {0.1f, 0.1f, 0.1f}}});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 2u);
+  for (const auto& object : objects) {
+    const bool is_low = iou (object, view, 3) > 0.5;
+    EXPECT_GT (iou (object, view, is_low ? 3 : 4), 0.85);
+    EXPECT_EQ (object.support, view.top.at (is_low ? 1 : 2));
+    EXPECT_NEAR (object.box_size.z(), 0.1f, 0.005f);
+  }
+}
+
+TEST (SupportedObjectExtraction, TableCutByTheImage)
+{
+  const Box large_table{{1.2f, 0.f, 0.66f}, {3.f, 4.f, 0.04f}};
+  const View view = look ({large_table,
+                           onTable (1.f, 0.1f, {0.1f, 0.1f, 0.1f}),
+                           onTable (1.f, 0.55f, {0.1f, 0.1f, 0.1f})});
+  ASSERT_LT (*std::min_element (view.box.begin(), view.box.end()), 1);
+  const Objects objects = extract (view);
+  EXPECT_EQ (objects.size(), 2u);
+  for (const int box : {1, 2})
+    EXPECT_GT (bestIou (objects, view, box), 0.85) << box;
+}
+
+TEST (SupportedObjectExtraction, WallsAndThingsUnderTheTableAreNoObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box leg{{0.9f, 0.3f, 0.f}, {0.06f, 0.06f, 0.66f}};
+  const Box under{{0.95f, -0.2f, 0.f}, {0.1f, 0.1f, 0.2f}};
+  Camera camera;
+  camera.height = 1.3f;
+  const View view = look (
+      {floor_slab, table, wall, leg, under, onTable (1.3f, 0.f, {0.1f, 0.1f, 0.1f})},
+      camera);
+  ASSERT_GT (view.pixelsOf (2).size(), 1000u);
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 5), 0.85);
+}
+
+TEST (SupportedObjectExtraction, ThingsOnTheFloorAreObjects)
+{
+  const View view = look ({floor_slab, {{1.5f, 0.f, 0.f}, {0.2f, 0.2f, 0.2f}}});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 1), 0.85);
+}
+
+TEST (SupportedObjectExtraction, MissingPoints)
+{
+  View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  const float bad[3][3] = {{nan, nan, nan}, {inf, 0.f, inf}, {0.f, 0.f, 0.f}};
+  std::mt19937 random (1);
+  for (std::size_t i = 0; i < view.cloud->size(); ++i)
+    if (random() % 20 == 0) {
+      (*view.cloud)[i].getVector3fMap() =
+          Eigen::Map<const Vector3f> (bad[random() % 3]);
+      (*view.normals)[i].getNormalVector3fMap().setConstant (nan);
+      view.box[i] = -1;
+    }
+  Extraction extraction;
+  for (const bool split : {false, true}) {
+    extraction.setSplitAtConcaveEdges (split);
+    const Objects objects = extract (extraction, view);
+    ASSERT_EQ (objects.size(), 1u);
+    EXPECT_GT (iou (objects.front(), view, 2), 0.85);
+    for (const auto i : objects.front().indices.indices)
+      EXPECT_TRUE (pcl::rgbd_planes::isMeasured ((*view.cloud)[i].data));
+  }
+}
+
+TEST (SupportedObjectExtraction, LabelsThatLeak)
+{
+  View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  auto& table_inliers = view.inliers[view.top.at (1)].indices;
+  const std::size_t before = table_inliers.size();
+  for (const auto i : view.pixelsOf (2)) // its lowest 3 cm
+    if ((view.camera_to_base * (*view.cloud)[i].getVector3fMap()).z() <
+        table_height + 0.03f)
+      table_inliers.push_back (i);
+  ASSERT_GT (table_inliers.size(), before + 100);
+  std::sort (table_inliers.begin(), table_inliers.end());
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 2), 0.85);
+}
+
+TEST (SupportedObjectExtraction, OptimisesAModelThatOutliersSpoilt)
+{
+  View view =
+      look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})}, {}, 0.3f);
+  auto& model = view.models[view.top.at (1)].values;
+  const float true_d = model[3];
+  model[3] += 0.012f;
+  Extraction extraction;
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  for (const auto& support : extraction.getSupportPlanes())
+    if (support.index == view.top.at (1)) {
+      EXPECT_NEAR (support.plane.d, true_d, 0.001f);
+    }
+}
+
+TEST (SupportedObjectExtraction, HonoursIndices)
+{
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (1.f, 0.2f, {0.1f, 0.1f, 0.1f}),
+                           onTable (1.f, -0.2f, {0.1f, 0.1f, 0.1f})});
+  const auto kept = view.pixelsOf (3);
+  Extraction extraction;
+  extraction.setIndices (pcl::make_shared<pcl::Indices> (kept.begin(), kept.end()));
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 3), 0.85);
+}
+
+TEST (SupportedObjectExtraction, AnotherSizeAndACopy)
+{
+  const std::vector<Box> boxes{
+      floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})};
+  Camera small;
+  small.width = 161;
+  small.image_height = 121;
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  const View large_view = look (boxes), small_view = look (boxes, small);
+  const Objects first = extract (extraction, large_view);
+  EXPECT_EQ (extract (extraction, small_view).size(), 1u);
+  Extraction copy = extraction;
+  const Objects again = extract (copy, large_view);
+  ASSERT_EQ (first.size(), 1u);
+  ASSERT_EQ (again.size(), 1u);
+  EXPECT_EQ (first.front().indices.indices, again.front().indices.indices);
+  EXPECT_EQ (first.front().box_size, again.front().box_size);
+}
+
+TEST (SupportedObjectExtraction, RefusesBadInput)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  Extraction extraction;
+  Objects objects (1);
+  extraction.extract (view.models, view.inliers, objects); // no cloud
+  EXPECT_TRUE (objects.empty());
+
+  View unorganized = view;
+  unorganized.cloud = pcl::make_shared<table_scenes::Cloud> (*view.cloud);
+  unorganized.cloud->width = static_cast<std::uint32_t> (view.cloud->size());
+  unorganized.cloud->height = 1;
+  EXPECT_TRUE (extract (unorganized).empty());
+
+  View fewer_inliers = view;
+  fewer_inliers.inliers.pop_back();
+  EXPECT_TRUE (extract (fewer_inliers).empty());
+
+  View other_cloud = view;
+  other_cloud.inliers.front().indices.push_back (1000000);
+  EXPECT_TRUE (extract (other_cloud).empty());
+
+  View short_model = view;
+  short_model.models.front().values.pop_back();
+  EXPECT_TRUE (extract (short_model).empty());
+
+  View no_normals = view;
+  no_normals.normals = nullptr;
+  EXPECT_EQ (extract (no_normals).size(), 1u);
+  Extraction split;
+  split.setSplitAtConcaveEdges (true);
+  EXPECT_TRUE (extract (split, no_normals).empty());
+}
+
+TEST (SupportedObjectExtraction, RefusesBadParameters)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Extraction extraction;
+  extraction.setMaxObjectHeight (0.);
+  EXPECT_FLOAT_EQ (extraction.getMaxObjectHeight(), 0.3f);
+  extraction.setMinObjectHeight (nan);
+  EXPECT_FLOAT_EQ (extraction.getMinObjectHeight(), 0.01f);
+  extraction.setHullTolerance (-0.1);
+  EXPECT_FLOAT_EQ (extraction.getHullTolerance(), 0.03f);
+  extraction.setHullTolerance (0.);
+  EXPECT_EQ (extraction.getHullTolerance(), 0.);
+  extraction.setHorizontalTolerance (2.);
+  EXPECT_FLOAT_EQ (extraction.getHorizontalTolerance(), 0.26f);
+  extraction.setPlaneHeights (1., 0.5);
+  EXPECT_FLOAT_EQ (extraction.getMaxPlaneHeight(), 1.2f);
+  extraction.setGraspableSides (nan, 0.5);
+  EXPECT_FLOAT_EQ (extraction.getMaxGraspableSide(), 0.1f);
+  extraction.setBaseTransform (Eigen::Affine3f (Eigen::Scaling (2.f)));
+  EXPECT_TRUE (extraction.getBaseTransform().linear().isUnitary (1e-4f));
+}
