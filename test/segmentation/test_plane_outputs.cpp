@@ -310,7 +310,8 @@ TEST (PlaneRms, IsThatOfTheDistancesOfThePoints)
       }
       const double rms =
           std::sqrt (sum / static_cast<double> (result.inliers[k].indices.size()));
-      EXPECT_NEAR (segmentation.getRms()[k], rms, 1e-6 + 1e-4 * rms);
+      // Sums are in single precision, tile by tile.
+      EXPECT_NEAR (segmentation.getRms()[k], rms, 1e-5 + 1e-4 * rms);
     }
   }
 }

@@ -263,7 +263,7 @@ public:
                std::vector<std::size_t>& plane_of_segment);
 
   /** \brief Root of the mean squared distance of the points of each plane of the last call
-   * to it, in metres. */
+   * to it, in metres, to 10 micrometres. */
   const std::vector<double>&
   getRms () const
   {
