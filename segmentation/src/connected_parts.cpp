@@ -3,9 +3,6 @@
 
 #include <pcl/segmentation/connected_parts.h>
 
-#include <algorithm>
-#include <numeric>
-
 namespace pcl {
 namespace rgbd_planes {
 
@@ -13,15 +10,16 @@ void
 ConnectedParts::find (const LabelRuns& image)
 {
   const auto& runs = image.runs();
-  parents_.resize (runs.size());
-  std::iota (parents_.begin(), parents_.end(), 0u);
+  sets_.resize (runs.size());
+  for (std::uint32_t i = 0; i < runs.size(); ++i)
+    sets_.add (i);
   for (std::size_t row = 1; row + 1 < image.rows().size(); ++row)
     unite (image, row);
 
   parts_.clear();
   part_of_run_.resize (runs.size());
   for (std::uint32_t i = 0; i < runs.size(); ++i) {
-    const std::uint32_t first = root (i);
+    const std::uint32_t first = sets_.root (i);
     if (first == i) {
       part_of_run_[i] = static_cast<std::uint32_t> (parts_.size());
       parts_.push_back ({runs[i].label, runs[i].begin, 0});
@@ -45,22 +43,11 @@ ConnectedParts::unite (const LabelRuns& image, std::size_t row)
     for (std::size_t other = above;
          other < first && runs[other].begin + width <= runs[run].end;
          ++other) {
-      if (runs[other].label != runs[run].label)
-        continue;
-      const std::uint32_t a = root (static_cast<std::uint32_t> (other));
-      const std::uint32_t b = root (static_cast<std::uint32_t> (run));
-      parents_[std::max (a, b)] = std::min (a, b);
+      if (runs[other].label == runs[run].label)
+        sets_.join (static_cast<std::uint32_t> (other),
+                    static_cast<std::uint32_t> (run));
     }
   }
-}
-
-/** The first run of what is united with \a run; shortens the way to it. */
-std::uint32_t
-ConnectedParts::root (std::uint32_t run)
-{
-  while (parents_[run] != run)
-    run = parents_[run] = parents_[parents_[run]];
-  return run;
 }
 
 } // namespace rgbd_planes

@@ -37,7 +37,6 @@ ObstacleClusters::compute (const OrganizedPoints& points,
                            std::vector<ObstacleClass>& classes)
 {
   runs_.clear();
-  parents_.clear();
   const auto width = static_cast<std::size_t> (points.width);
   std::size_t before_last = 0, last = 0; // where the rows above begin
   for (std::size_t row = 0; row < points.size(); row += width) {
@@ -68,12 +67,14 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
     while (i < end && classes[i] == classes[first] &&
            areConnected (points[i - 1], points[i], noise))
       ++i;
-    parents_.push_back (static_cast<std::uint32_t> (runs_.size()));
+    const auto run = static_cast<std::uint32_t> (runs_.size());
+    sets_.resize (run + 1);
+    sets_.add (run);
     runs_.push_back ({first, i - first, none});
     if (first >= row + 2 && classes[first - 2] == classes[first] &&
         classes[first - 1] == ObstacleClass::unmeasured &&
         areConnected (points[first - 2], points[first], noise))
-      join (runs_.size() - 2, runs_.size() - 1);
+      sets_.join (run - 1, run);
   }
 }
 
@@ -101,29 +102,11 @@ ObstacleClusters::joinRows (const OrganizedPoints& points,
            i < std::min (end_a, end_b);
            ++i)
         if (isBridged (i) && areConnected (points[i], points[i + offset], noise)) {
-          join (a, b);
+          sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
           break;
         }
     end_a < end_b ? ++a : ++b;
   }
-}
-
-void
-ObstacleClusters::join (std::size_t a, std::size_t b)
-{
-  const std::uint32_t x = root (static_cast<std::uint32_t> (a));
-  const std::uint32_t y = root (static_cast<std::uint32_t> (b));
-  parents_[std::max (x, y)] = std::min (x, y);
-}
-
-std::uint32_t
-ObstacleClusters::root (std::uint32_t run)
-{
-  while (parents_[run] != run) {
-    parents_[run] = parents_[parents_[run]];
-    run = parents_[run];
-  }
-  return run;
 }
 
 void
@@ -132,11 +115,11 @@ ObstacleClusters::numberClusters (std::size_t min_points,
 {
   points_.assign (runs_.size(), 0);
   for (std::uint32_t i = 0; i < runs_.size(); ++i)
-    points_[root (i)] += runs_[i].length;
+    points_[sets_.root (i)] += runs_[i].length;
   sizes_.clear();
   for (std::uint32_t i = 0; i < runs_.size(); ++i) {
     // The root of a cluster is its first run.
-    const std::uint32_t first = root (i);
+    const std::uint32_t first = sets_.root (i);
     if (points_[first] < min_points) {
       std::fill_n (classes.begin() + static_cast<std::ptrdiff_t> (runs_[i].first),
                    runs_[i].length,

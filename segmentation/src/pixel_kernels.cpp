@@ -19,11 +19,6 @@ namespace {
 
 using Ints = hn::RebindToSigned<Floats>;
 
-/** Nearer points have no direction. */
-constexpr float min_squared_range = 1e-12f;
-/** Squares of larger numbers are no floats. */
-constexpr float max_squared_range = 1e18f;
-
 /** The \a number points, at most a vector, from \a from on; NaN follows. */
 HWY_INLINE Points
 loadPoints (const float* from, std::size_t stride, std::size_t number)

@@ -21,6 +21,11 @@ struct PlaneEquation {
   float x, y, z, d;
 };
 
+/** Nearer points have no direction. */
+constexpr float min_squared_range = 1e-12f;
+/** Squares of larger numbers are no floats. */
+constexpr float max_squared_range = 1e18f;
+
 /** Points lie on a plane up to this many standard deviations of depth away along the
  * viewing ray; seen flatter than this cosine, a plane gets no nearer. */
 constexpr float min_view_cosine = 0.1f;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "plane_kernels.h"
+
 #include <pcl/segmentation/plane_samples.h>
 
 #include <algorithm>
@@ -17,10 +19,6 @@ constexpr int large_side = 480;
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
  * each metre, as depth noise tilts far normals. */
 constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, largest_angle = 60.f;
-/** Nearer points have no direction. */
-constexpr float min_squared_range = 1e-12f;
-/** Squares of larger numbers are no floats. */
-constexpr float max_squared_range = 1e18f;
 
 float
 minCosine (float range)

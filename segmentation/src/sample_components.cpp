@@ -8,32 +8,20 @@
 namespace pcl {
 namespace rgbd_planes {
 
-std::uint32_t
-SampleComponents::find (std::uint32_t sample)
-{
-  while (parents_[sample] != sample) {
-    parents_[sample] = parents_[parents_[sample]];
-    sample = parents_[sample];
-  }
-  return sample;
-}
-
 void
 SampleComponents::join (const PlaneSamples& samples,
                         const std::vector<std::uint32_t>& clustered,
                         const std::vector<std::int32_t>& clusters)
 {
-  parents_.resize (samples.size());
+  sets_.resize (samples.size());
   for (const std::uint32_t i : clustered)
-    parents_[i] = i;
+    sets_.add (i);
   for (const std::uint32_t i : clustered) {
     if (clusters[i] < 0)
       continue;
     for (const std::uint32_t neighbour : samples.neighbours[i])
-      if (clusters[neighbour] == clusters[i]) {
-        const std::uint32_t a = find (i), b = find (neighbour);
-        parents_[std::max (a, b)] = std::min (a, b);
-      }
+      if (clusters[neighbour] == clusters[i])
+        sets_.join (i, neighbour);
   }
 }
 
@@ -49,14 +37,14 @@ SampleComponents::compute (const PlaneSamples& samples,
     places_[i] = 0;
   for (const std::uint32_t i : clustered)
     if (clusters[i] >= 0)
-      ++places_[find (i)];
+      ++places_[sets_.root (i)];
 
   constexpr std::uint32_t nowhere = 0xffffffff;
   members_.resize (samples.size());
   components_.clear();
   std::uint32_t end = 0;
   for (const std::uint32_t i : clustered) {
-    if (clusters[i] < 0 || parents_[i] != i)
+    if (clusters[i] < 0 || sets_.root (i) != i)
       continue;
     const std::uint32_t count = places_[i];
     places_[i] = count >= min_points ? end : nowhere;
@@ -66,8 +54,8 @@ SampleComponents::compute (const PlaneSamples& samples,
     }
   }
   for (const std::uint32_t i : clustered)
-    if (clusters[i] >= 0 && places_[find (i)] != nowhere)
-      members_[places_[find (i)]++] = i;
+    if (clusters[i] >= 0 && places_[sets_.root (i)] != nowhere)
+      members_[places_[sets_.root (i)]++] = i;
   std::sort (components_.begin(),
              components_.end(),
              [] (const Component& a, const Component& b) {

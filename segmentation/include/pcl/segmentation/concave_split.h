@@ -84,7 +84,7 @@ private:
   ObjectParameters parameters_;
   std::vector<std::uint32_t> owner_; // the cluster of each point, from 1 on, or 0
   std::vector<std::uint8_t> cut_;
-  PixelSets sets_;
+  DisjointSets sets_;
   std::vector<std::uint32_t> patch_size_; // at the root of each patch
   std::vector<std::uint32_t> part_;       // of each point, from 1 on, or 0
   std::vector<std::size_t> part_support_;

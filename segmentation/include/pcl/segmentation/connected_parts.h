@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/label_runs.h>
 
 #include <cstddef>
@@ -49,10 +50,7 @@ private:
   void
   unite (const LabelRuns& image, std::size_t row);
 
-  std::uint32_t
-  root (std::uint32_t run);
-
-  std::vector<std::uint32_t> parents_; // of runs; roots are their own
+  DisjointSets sets_; // of runs
   std::vector<std::uint32_t> part_of_run_;
   std::vector<Part> parts_;
 };

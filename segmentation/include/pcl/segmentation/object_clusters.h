@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/pixel_sets.h>
+#include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/support_planes.h>
 
 #include <cstdint>
@@ -106,7 +106,7 @@ private:
   float pixel_angle_ = 0.f;
   std::vector<std::uint8_t> place_;
   std::vector<std::uint32_t> candidates_;
-  PixelSets sets_;
+  DisjointSets sets_;
   std::vector<std::uint32_t> set_number_; // at the root of each set
   std::vector<Sums> sums_;
   std::vector<ObjectCluster> clusters_;

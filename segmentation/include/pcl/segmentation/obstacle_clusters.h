@@ -7,6 +7,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/obstacle_class.h>
+#include <pcl/segmentation/disjoint_sets.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -74,17 +75,11 @@ private:
             const std::vector<ObstacleClass>& classes);
 
   void
-  join (std::size_t a, std::size_t b);
-
-  std::uint32_t
-  root (std::uint32_t run);
-
-  void
   numberClusters (std::size_t min_points, std::vector<ObstacleClass>& classes);
 
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> parents_; // of runs, until clusters are numbered
-  std::vector<std::size_t> points_;    // of the trees of runs
+  DisjointSets sets_;               // of runs, until clusters are numbered
+  std::vector<std::size_t> points_; // of the sets of runs
   std::vector<std::size_t> sizes_;
 };
 

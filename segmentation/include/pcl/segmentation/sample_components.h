@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/plane_samples.h>
 
 #include <cstddef>
@@ -47,16 +48,12 @@ public:
   }
 
 private:
-  std::uint32_t
-  find (std::uint32_t sample);
-
   void
   join (const PlaneSamples& samples,
         const std::vector<std::uint32_t>& clustered,
         const std::vector<std::int32_t>& clusters);
 
-  /** Another sample of the same component; itself for the first one. */
-  std::vector<std::uint32_t> parents_;
+  DisjointSets sets_;
   /** The number of samples of a component at its first one, then where they are. */
   std::vector<std::uint32_t> places_;
   std::vector<std::uint32_t> members_;

@@ -11,16 +11,17 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Disjoint sets of pixels (union-find). The root of a set is its first pixel. */
-class PixelSets {
+/** \brief Disjoint sets of numbers (union-find), of pixels or runs. The root of a set is its
+ * smallest number. */
+class DisjointSets {
 public:
   void
-  resize (std::size_t pixels)
+  resize (std::size_t numbers)
   {
-    parent_.resize (pixels);
+    parent_.resize (numbers);
   }
 
-  /** \brief Makes pixel \a i a set of its own; needed before all else is asked of it. */
+  /** \brief Makes \a i a set of its own; needed before all else is asked of it. */
   void
   add (std::uint32_t i)
   {
