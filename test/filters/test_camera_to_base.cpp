@@ -154,6 +154,11 @@ TEST (CameraToBase, WithIndicesOnlyThesePointsAreGiven)
   filter.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{6}));
   filter.filter (output);
   EXPECT_TRUE (output.empty());
+
+  filter.setIndices (pcl::IndicesPtr()); // the whole cloud again
+  filter.filter (output);
+  EXPECT_EQ (output.width, cloud->width);
+  EXPECT_EQ (output.height, cloud->height);
 }
 
 TEST (CameraToBase, NoCloudOrAnEmptyOneGivesAnEmptyOne)

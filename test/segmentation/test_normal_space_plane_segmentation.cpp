@@ -263,6 +263,10 @@ TEST (NormalSpacePlanes, IndicesLimitTheSearch)
     if (scene.surface[i] != 1) {
       ASSERT_EQ (result.labels[i].label, Segmentation::unlabelled);
     }
+
+  segmentation.setIndices (pcl::IndicesPtr()); // the whole cloud again
+  segment (segmentation, scene.cloud, result);
+  EXPECT_EQ (result.models.size(), roomCorner().size());
 }
 
 TEST (NormalSpacePlanes, BadInputGivesAnErrorAndEmptyOutputs)

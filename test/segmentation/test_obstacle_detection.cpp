@@ -452,6 +452,11 @@ TEST (ObstacleDetection, WithIndicesOnlyThesePointsAreLookedAt)
   detection.detect (half.obstacles, half.classes);
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)
     EXPECT_EQ (half[i], i % 160 < 80 ? all[i] : ObstacleClass::unmeasured) << i;
+
+  detection.setIndices (pcl::IndicesPtr()); // the whole cloud again
+  detection.detect (half.obstacles, half.classes);
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    EXPECT_EQ (half[i], all[i]) << i;
 }
 
 TEST (ObstacleDetection, AnyImageSizeWorksAndObjectsCanBeReused)

@@ -431,6 +431,9 @@ TEST (SupportedObjectExtraction, HonoursIndices)
   const Objects objects = extract (extraction, view);
   ASSERT_EQ (objects.size(), 1u);
   EXPECT_GT (iou (objects.front(), view, 3), 0.85);
+
+  extraction.setIndices (pcl::IndicesPtr()); // the whole cloud again
+  EXPECT_EQ (extract (extraction, view).size(), 2u);
 }
 
 TEST (SupportedObjectExtraction, AnotherSizeAndACopy)

@@ -39,6 +39,7 @@ class PCL_RGBD_PLANES_EXPORTS CameraToBase : public Filter<PointT> {
   using Filter<PointT>::getClassName;
   using Filter<PointT>::indices_;
   using Filter<PointT>::input_;
+  using PCLBase<PointT>::fake_indices_;
   using PCLBase<PointT>::use_indices_;
 
 public:

@@ -57,7 +57,6 @@ template <typename PointT, typename PointNT, typename PointLT = pcl::Label>
 class PCL_RGBD_PLANES_EXPORTS NormalSpacePlaneSegmentation : public PCLBase<PointT> {
   using PCLBase<PointT>::indices_;
   using PCLBase<PointT>::input_;
-  using PCLBase<PointT>::use_indices_;
 
 public:
   using Ptr = shared_ptr<NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>>;

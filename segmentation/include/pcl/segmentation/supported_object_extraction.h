@@ -75,7 +75,6 @@ template <typename PointT, typename PointNT>
 class PCL_RGBD_PLANES_EXPORTS SupportedObjectExtraction : public PCLBase<PointT> {
   using PCLBase<PointT>::indices_;
   using PCLBase<PointT>::input_;
-  using PCLBase<PointT>::use_indices_;
 
 public:
   using Ptr = shared_ptr<SupportedObjectExtraction<PointT, PointNT>>;

@@ -61,7 +61,8 @@ template <typename PointT>
 void
 CameraToBase<PointT>::applyFilter (PointCloud& output)
 {
-  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
+  const bool for_indices = use_indices_ && !fake_indices_;
+  if (for_indices && !rgbd_planes::indicesInside (*indices_, input_->size())) {
     PCL_ERROR ("[pcl::%s] An index lies outside of the input cloud: give indices less "
                "than %zu.\n",
                getClassName().c_str(),
@@ -69,7 +70,7 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
-  if (use_indices_)
+  if (for_indices)
     pcl::copyPointCloud (*input_, *indices_, output);
   else
     output = *input_;

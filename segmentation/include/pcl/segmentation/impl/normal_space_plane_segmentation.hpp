@@ -89,7 +89,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
         normals_ ? normals_->size() : std::size_t{0});
     return false;
   }
-  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
+  if (indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
     PCL_ERROR (
         "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
         "%zu.\n",
@@ -106,7 +106,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 {
   if (checkInput()) {
     selected_.clear();
-    if (use_indices_) {
+    if (indices_) {
       selected_.resize (input_->size(), 0);
       for (const index_t index : *indices_)
         selected_[static_cast<std::size_t> (index)] = 1;
@@ -123,7 +123,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
     width_ = input_->width;
   }
   else
-    plane_extraction_ = {};
+    plane_extraction_ = rgbd_planes::PlaneExtraction();
 
   const auto& planes = plane_extraction_.planes();
   const auto& moments = plane_extraction_.moments();

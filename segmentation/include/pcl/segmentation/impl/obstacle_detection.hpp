@@ -96,7 +96,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
                labels);
     return false;
   }
-  if ((use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) ||
+  if ((indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) ||
       (excluded_ && !rgbd_planes::indicesInside (*excluded_, input_->size()))) {
     PCL_ERROR (
         "[pcl::%s] An index lies outside of the input cloud: give indices from 0 "
@@ -114,10 +114,10 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
 {
   if (!checkInput()) {
     obstacles.clear();
-    extraction_ = {};
+    extraction_ = rgbd_planes::ObstacleExtraction();
     return;
   }
-  if (use_indices_) {
+  if (indices_) {
     selected_.assign (input_->size(), 0);
     for (const pcl::index_t index : *indices_)
       selected_[static_cast<std::size_t> (index)] = 1;
@@ -129,7 +129,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
       rgbd_planes::viewPoints (*input_),
       {&normal.normal_x, &normal.curvature, sizeof (PointNT) / sizeof (float)},
       planes_,
-      use_indices_ ? selected_.data() : nullptr,
+      indices_ ? selected_.data() : nullptr,
       excluded_.get(),
       parameters_,
       obstacles);

@@ -150,7 +150,7 @@ SupportedObjectExtraction<PointT, PointNT>::checkInput (
     return complain (
         "Splitting at concave edges needs a normal for each point of the whole "
         "cloud: pass them to setInputNormals.");
-  if (use_indices_ && !rgbd_planes::indicesInside (*indices_, input_->size()))
+  if (indices_ && !rgbd_planes::indicesInside (*indices_, input_->size()))
     return complain ("An index lies outside of the input cloud.");
   if (model_coefficients.size() != inlier_indices.size())
     return complain ("There are " + std::to_string (model_coefficients.size()) +
@@ -183,8 +183,8 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     planes_.push_back (
         {{{values[0], values[1], values[2]}, values[3]}, &inlier_indices[k].indices});
   }
-  selected_.assign (use_indices_ ? input_->size() : 0, 0);
-  if (use_indices_)
+  selected_.assign (indices_ ? input_->size() : 0, 0);
+  if (indices_)
     for (const pcl::index_t index : *indices_)
       selected_[static_cast<std::size_t> (index)] = 1;
 
