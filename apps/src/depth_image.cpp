@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -94,9 +95,16 @@ readDepthPng (const std::string& path)
     throw AppError (path +
                     ": not a depth image, which is 16-bit greyscale; is this the "
                     "colour image? Give the depth image or its folder");
-  image.depth.resize (static_cast<std::size_t> (image.width) * image.height);
-  if (!readPixels (reader, image))
-    throw AppError (path + ": the PNG file is incomplete or damaged (" + reader.error +
+  // One byte of the file stands for 1032 at most (RFC 1951).
+  const std::size_t pixels = std::size_t{image.width} * image.height;
+  std::error_code error;
+  const bool can_hold = pixels * sizeof (std::uint16_t) / 1032 <=
+                        std::filesystem::file_size (path, error);
+  if (can_hold)
+    image.depth.resize (pixels);
+  if (!can_hold || !readPixels (reader, image))
+    throw AppError (path + ": the PNG file is incomplete or damaged (" +
+                    (can_hold ? reader.error : "too small for its pixels") +
                     "); copy or record it again");
   return image;
 }

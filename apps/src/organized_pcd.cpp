@@ -5,16 +5,17 @@
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/point_labels.h>
 #include <pcl/console/print.h>
-#include <pcl/exceptions.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/PCLPointCloud2.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -51,60 +52,101 @@ findField (const pcl::PCLPointCloud2& blob, const std::string& name)
   return nullptr;
 }
 
-struct Header {
-  /** Its data is as large as that of the file, but not read. */
-  pcl::PCLPointCloud2 cloud;
-  bool compressed = false;
-  std::size_t data_begin = 0;
-};
-
-Header
-readHeader (std::istream& stream, const std::string& file)
-{
-  Header header;
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  int version = 0, data_type = 0, result = -1;
-  unsigned data_begin = 0;
-  try {
-    result = pcl::PCDReader().readHeader (
-        stream, header.cloud, origin, orientation, version, data_type, data_begin);
-  }
-  catch (const std::exception&) {
-    // Words that are no numbers, numbers of no sense: the same to the user.
-  }
-  if (result < 0 || data_begin == 0 || header.cloud.fields.empty())
-    throw AppError (file +
-                    ": not a PCD file, or its header is damaged; give a .pcd file");
-  header.compressed = data_type == 2;
-  header.data_begin = data_begin;
-  return header;
-}
-
-/** PCDReader trusts the sizes in front of compressed data. */
-bool
-compressedSizesFit (std::istream& stream, std::uintmax_t bytes, const Header& header)
-{
-  std::uint32_t sizes[2];
-  stream.clear();
-  stream.seekg (static_cast<std::streamoff> (header.data_begin));
-  return stream.read (reinterpret_cast<char*> (sizes), sizeof (sizes)) &&
-         header.data_begin + sizeof (sizes) + sizes[0] <= bytes &&
-         sizes[1] == header.cloud.data.size();
-}
-
-/** PCDReader::read crashes or hangs where one of these is not as it should be. */
-void
-checkFile (const std::string& file)
+/** All of a file at once: it may change while it is looked at. */
+std::string
+readBytes (const std::string& file)
 {
   std::error_code error;
-  const auto bytes = std::filesystem::file_size (file, error);
+  std::string bytes (std::filesystem::file_size (file, error), '\0');
   std::ifstream stream (file, std::ios::binary);
   if (error || !stream)
     throw AppError (file + ": cannot open this file: " +
                     (error ? error.message() : std::strerror (errno)));
-  const Header header = readHeader (stream, file);
+  stream.read (bytes.data(), static_cast<std::streamsize> (bytes.size()));
+  bytes.resize (static_cast<std::size_t> (stream.gcount()));
+  return bytes;
+}
+
+/** Whether \a bytes can hold as many values as their header says, for which PCDReader takes
+ * memory first. Each byte of compressed data stands for 88 at most. */
+bool
+canHoldPoints (const std::string& bytes)
+{
+  std::istringstream lines (bytes);
+  double largest = 0., sizes = 0., counts = 0., points = 0.;
+  std::string line, key;
+  while (std::getline (lines, line) && key.rfind ("DATA", 0) != 0) {
+    std::istringstream words (line);
+    words >> key;
+    for (double number; words >> number;) {
+      if (number < 0.)
+        return false;
+      if (key.rfind ("SIZE", 0) == 0)
+        largest = std::max (largest, number), sizes += 1.;
+      else if (key.rfind ("COUNT", 0) == 0)
+        counts += number;
+      else if (key.rfind ("POINTS", 0) == 0)
+        points = std::max (points, number);
+    }
+  }
+  return points * largest * std::max (sizes, counts) <=
+         100. * static_cast<double> (bytes.size());
+}
+
+struct Header {
+  /** Its data is as large as that of the file, but not read. */
+  pcl::PCLPointCloud2 cloud;
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  int version = 0;
+  int data_type = 0; /**< 0 is text, 1 binary, 2 compressed */
+  unsigned data_begin = 0;
+};
+
+Header
+readHeader (const std::string& bytes, const std::string& file)
+{
+  Header header;
+  std::istringstream stream (bytes);
+  int result = -1;
+  try {
+    result = pcl::PCDReader().readHeader (stream,
+                                          header.cloud,
+                                          header.origin,
+                                          header.orientation,
+                                          header.version,
+                                          header.data_type,
+                                          header.data_begin);
+  }
+  catch (const std::exception&) {
+    // Words that are no numbers, numbers of no sense: the same to the user.
+  }
+  if (result < 0 || header.data_begin == 0 || header.cloud.fields.empty())
+    throw AppError (file +
+                    ": not a PCD file, or its header is damaged; give a .pcd file");
+  return header;
+}
+
+/** PCDReader trusts the sizes in the header, and those in front of compressed data. */
+bool
+isComplete (const std::string& bytes, const Header& header)
+{
   const auto& cloud = header.cloud;
+  if (cloud.data.size() != std::uint64_t{cloud.width} * cloud.height * cloud.point_step)
+    return false;
+  const std::size_t body = bytes.size() - header.data_begin;
+  if (header.data_type != 2)
+    return header.data_type == 0 || body >= cloud.data.size();
+  std::uint32_t sizes[2];
+  if (body < sizeof (sizes))
+    return false;
+  std::memcpy (sizes, bytes.data() + header.data_begin, sizeof (sizes));
+  return sizeof (sizes) + sizes[0] <= body && sizes[1] == cloud.data.size();
+}
+
+void
+checkHeader (const pcl::PCLPointCloud2& cloud, const std::string& file)
+{
   for (const std::string name : {"x", "y", "z"}) {
     const auto* field = findField (cloud, name);
     if (!field || field->datatype != pcl::PCLPointField::FLOAT32)
@@ -117,27 +159,40 @@ checkFile (const std::string& file)
                     std::to_string (cloud.height) +
                     "); record organized clouds (an image of points, missing ones as "
                     "NaN), or give the depth image");
-  const auto size = std::uint64_t{cloud.width} * cloud.height * cloud.point_step;
-  if (cloud.data.size() != size ||
-      (header.compressed && !compressedSizesFit (stream, bytes, header)))
-    throw damaged (file);
 }
 
-pcl::PCLPointCloud2
-readCloud (const std::string& file,
-           Eigen::Vector4f& origin,
-           Eigen::Quaternionf& orientation)
+/** Fills in the data; false where it is damaged. */
+bool
+readBody (const std::string& bytes, Header& header)
 {
-  pcl::PCLPointCloud2 cloud;
-  int version = 0;
+  pcl::PCDReader reader;
   try {
-    if (pcl::PCDReader().read (file, cloud, origin, orientation, version) == 0)
-      return cloud;
+    if (header.data_type != 0)
+      return reader.readBodyBinary (
+                 reinterpret_cast<const unsigned char*> (bytes.data()),
+                 header.cloud,
+                 header.version,
+                 header.data_type == 2,
+                 header.data_begin) == 0;
+    std::istringstream stream (bytes.substr (header.data_begin));
+    return reader.readBodyASCII (stream, header.cloud, header.version) == 0;
   }
-  catch (const pcl::IOException&) {
-    // Said below.
+  catch (const std::exception&) {
+    return false;
   }
-  throw damaged (file);
+}
+
+Header
+readFile (const std::string& file)
+{
+  const std::string bytes = readBytes (file);
+  if (!canHoldPoints (bytes))
+    throw damaged (file);
+  Header header = readHeader (bytes, file);
+  checkHeader (header.cloud, file);
+  if (!isComplete (bytes, header) || !readBody (bytes, header))
+    throw damaged (file);
+  return header;
 }
 
 } // namespace
@@ -146,10 +201,11 @@ pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readOrganizedPcd (const std::string& file, PointLabels* labels)
 {
   const QuietPcl quiet;
-  checkFile (file);
+  const Header header = readFile (file);
+  const pcl::PCLPointCloud2& blob = header.cloud;
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
-  const pcl::PCLPointCloud2 blob =
-      readCloud (file, cloud->sensor_origin_, cloud->sensor_orientation_);
+  cloud->sensor_origin_ = header.origin;
+  cloud->sensor_orientation_ = header.orientation;
   const std::size_t offsets[] = {findField (blob, "x")->offset,
                                  findField (blob, "y")->offset,
                                  findField (blob, "z")->offset};

@@ -76,6 +76,17 @@ TEST (DepthImage, OtherPicturesAreRefused)
   expectRefused (folder.path(), "not a readable PNG");
 }
 
+TEST (DepthImage, NoMemoryIsTakenForPixelsThatTheFileCannotHold)
+{
+  const TemporaryFolder folder;
+  // A header of 60000 x 60000 pixels with its checksum, and nothing else.
+  const std::string header (
+      "\0\0\0\x0dIHDR\0\0\xea\x60\0\0\xea\x60\x10\0\0\0\0\xf5\x29\xf6\xdd", 25);
+  const std::string data ("\0\0\0\0IDAT", 8);
+  writeFile (folder / "huge.png", "\x89PNG\r\n\x1a\n" + header + data);
+  expectRefused (folder / "huge.png", "too small for its pixels");
+}
+
 TEST (DepthImage, EveryTruncationIsRefused)
 {
   const TemporaryFolder folder;

@@ -154,6 +154,18 @@ TEST (OrganizedPcd, OtherFilesAreRefused)
   EXPECT_NE (messageOf (folder / "double.pcd").find ("'x'"), std::string::npos);
 }
 
+TEST (OrganizedPcd, NoMemoryIsTakenForPointsThatTheFileCannotHold)
+{
+  const TemporaryFolder folder;
+  for (const std::string points : {"4294901760", "-65536"}) {
+    std::string huge = asciiPcd ("x y z", 2, 2, "1 1 1\n");
+    huge.replace (huge.find ("WIDTH 2"), 16, "WIDTH 65535\nHEIGHT 65536");
+    huge.replace (huge.find ("POINTS 4"), 8, "POINTS " + points);
+    writeFile (folder / "huge.pcd", huge);
+    EXPECT_NE (messageOf (folder / "huge.pcd").find ("damaged"), std::string::npos);
+  }
+}
+
 TEST (OrganizedPcd, EveryTruncationIsRefused)
 {
   const TemporaryFolder folder;
