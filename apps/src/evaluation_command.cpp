@@ -5,6 +5,7 @@
 #include <pcl/apps/command_line.h>
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/progress.h>
 
@@ -60,6 +61,7 @@ runEvaluation (const EvaluationCommand& command,
     sources.emplace_back (input);
     all += sources.back().size();
   }
+  catchInterruption();
   OutputFiles files;
   // An unwritable place is known before the work is done.
   if (command.json)
@@ -70,6 +72,7 @@ runEvaluation (const EvaluationCommand& command,
       for (std::size_t i = 0; i < source.size(); ++i) {
         progress.show (++frame);
         add (source.read (i));
+        stopIfInterrupted();
       }
   }
   std::cout << table();

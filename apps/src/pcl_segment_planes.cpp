@@ -6,6 +6,7 @@
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/labelled_point.h>
 #include <pcl/apps/object_pictures.h>
 #include <pcl/apps/output_files.h>
@@ -15,7 +16,6 @@
 
 #include <boost/program_options.hpp>
 
-#include <csignal>
 #include <iostream>
 
 namespace fs = std::filesystem;
@@ -23,8 +23,6 @@ namespace po = boost::program_options;
 using namespace pcl::rgbd_planes;
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
 
 struct Options {
   InputOptions input;
@@ -146,8 +144,7 @@ segmentFrames (const FrameSource& source, const Options& options, OutputFiles& f
                   segmenter,
                   options.segmenter.find_objects ? &summaries.back().objects : nullptr,
                   files);
-    if (interrupted)
-      throw AppError ("interrupted; nothing was written");
+    stopIfInterrupted();
   }
   return summaries;
 }
@@ -159,8 +156,7 @@ segmentPlanes (int argc, char** argv)
   if (!options)
     return;
   const FrameSource source (options->input);
-  std::signal (SIGINT, [] (int) { interrupted = 1; });
-  std::signal (SIGTERM, [] (int) { interrupted = 1; });
+  catchInterruption();
   OutputFiles files;
   prepareOutput (*options, files);
 

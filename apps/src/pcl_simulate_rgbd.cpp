@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/apps/pictures.h>
@@ -140,6 +141,7 @@ simulateRgbd (int argc, char** argv)
   const auto cloud = subsample (*frame.cloud, options->step);
   const auto truth = subsample (*frame.truth, options->step);
 
+  catchInterruption();
   OutputFiles files;
   files.createFolder (options->output);
   const auto write = [&] (const char* ending, const std::string& contents) {
@@ -150,6 +152,7 @@ simulateRgbd (int argc, char** argv)
   write ("_colour.png", encodePng (colourPicture (cloud)));
   write ("_depth.png", encodePng (depthPicture (cloud)));
   write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));
+  stopIfInterrupted();
   files.commit();
   std::cout << "Wrote " << (options->output / options->name).string()
             << ".pcd, _truth.pcd, _colour.png, _depth.png and _planes.png\n";

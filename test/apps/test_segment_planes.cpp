@@ -347,6 +347,21 @@ TEST_F (SegmentPlanes, InterruptionLeavesNothing)
   EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
 }
 
+TEST_F (SegmentPlanes, FrameThatVanishesLeavesNothing)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  for (int i = 0; i < 500; ++i)
+    writeTwoWalls ("in/" + std::to_string (i) + ".png");
+  const Outcome result = shell (application_ + " in --output out" + camera_ +
+                                "& pid=$!; until [ -e out ]; do :; done; "
+                                "rm in/499.png; wait $pid");
+  EXPECT_EQ (result.code, 1);
+  EXPECT_EQ (result.err,
+             "pcl_segment_planes: in/499.png: cannot open this file: No such file or "
+             "directory\n");
+  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
+}
+
 TEST_F (SegmentPlanes, HelpIsNoError)
 {
   const Outcome result = run ("--help");

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief From now on, SIGINT (Ctrl-C) and SIGTERM do not end the program, but are found by
+ * stopIfInterrupted(), so that temporary files go. To be called before the first of them is
+ * written. */
+void
+catchInterruption ();
+
+/** \brief Throws AppError if a signal came. To be called after each frame and before files are
+ * committed. */
+void
+stopIfInterrupted ();
+
+} // namespace rgbd_planes
+} // namespace pcl
