@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+// All classes of the library, one after the other on the same clouds, as a robot would use
+// them: with inputs, indices and settings of any kind, set in any order.
+
+#include "any_values.h"
+
+#include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/features/two_run_normal.h>
+#include <pcl/filters/camera_to_base.h>
+#include <pcl/filters/obstacle_filter.h>
+#include <pcl/filters/project_onto_planes.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/obstacle_detection.h>
+#include <pcl/segmentation/supported_object_extraction.h>
+
+#include <cmath>
+
+using namespace fuzz;
+using Normals = pcl::PointCloud<pcl::Normal>;
+using Labels = pcl::PointCloud<pcl::Label>;
+using pcl::PointXYZ;
+
+namespace {
+
+/** A pose, now and then none that is rigid. */
+Eigen::Affine3f
+anyPose (FuzzedDataProvider& data)
+{
+  Eigen::Affine3f pose = pcl::rgbd_planes::defaultCameraToBase();
+  const auto turn = data.ConsumeFloatingPointInRange (-3.f, 3.f);
+  pose.rotate (Eigen::AngleAxisf (turn, Eigen::Vector3f::UnitX()));
+  pose.translation().z() = data.ConsumeFloatingPointInRange (-1.f, 3.f);
+  if (data.ConsumeIntegralInRange (0, 9) == 0)
+    pose.matrix() (data.ConsumeIntegralInRange (0, 2),
+                   data.ConsumeIntegralInRange (0, 3)) = anyFloat (data);
+  return pose;
+}
+
+pcl::rgbd_planes::DepthNoise
+anyNoise (FuzzedDataProvider& data)
+{
+  return {anyFloat (data), anyFloat (data), anyFloat (data)};
+}
+
+void
+expectIndices (const pcl::Indices& indices, std::size_t size)
+{
+  expect (!indices.empty() && pcl::rgbd_planes::indicesInside (indices, size));
+  expect (std::adjacent_find (indices.begin(), indices.end(), std::greater_equal<>()) ==
+          indices.end());
+}
+
+class Pipeline {
+public:
+  explicit Pipeline (FuzzedDataProvider& data) : data_ (data)
+  {
+    segmentation_.setMinInliers (20);
+    extraction_.setMinPoints (5);
+  }
+
+  /** Does one thing of many. */
+  void
+  step ()
+  {
+    const auto todo = data_.PickValueInArray ({&Pipeline::takeCloud,
+                                               &Pipeline::takeIndices,
+                                               &Pipeline::changeNormals,
+                                               &Pipeline::changeTwoRunNormals,
+                                               &Pipeline::changePlanes,
+                                               &Pipeline::changeObjects,
+                                               &Pipeline::changeObstacles,
+                                               &Pipeline::spoilResults,
+                                               &Pipeline::runAll,
+                                               &Pipeline::runAll,
+                                               &Pipeline::estimateNormals,
+                                               &Pipeline::estimateTwoRunNormals,
+                                               &Pipeline::findPlanes,
+                                               &Pipeline::findObjects,
+                                               &Pipeline::findObstacles,
+                                               &Pipeline::filter});
+    (this->*todo)();
+  }
+
+private:
+  void
+  takeCloud ()
+  {
+    cloud_ = data_.ConsumeIntegralInRange (0, 30) == 0 ? nullptr : anyCloud (data_);
+    indices_.reset();
+    if (cloud_)
+      cloud_->sensor_origin_[0] = anyFloat (data_);
+  }
+
+  void
+  takeIndices ()
+  {
+    indices_ = anyIndices (data_, cloud_ ? cloud_->size() : 0);
+  }
+
+  void
+  changeNormals ()
+  {
+    using Estimation = decltype (estimation_);
+    estimation_.setNumberOfThreads (data_.ConsumeIntegralInRange (0, 3));
+    estimation_.setDepthDependentSmoothing (data_.ConsumeBool());
+    estimation_.setEdgeAware (data_.ConsumeBool());
+    estimation_.setScaleSelection (data_.ConsumeBool());
+    estimation_.setBorderPolicy (data_.ConsumeBool()
+                                     ? Estimation::BORDER_POLICY_IGNORE
+                                     : Estimation::BORDER_POLICY_MIRROR);
+    switch (data_.ConsumeIntegralInRange (0, 4)) {
+    case 0:
+      return estimation_.setNormalSmoothingSize (anyFloat (data_));
+    case 1:
+      return estimation_.setRectSize (data_.ConsumeIntegral<int>(),
+                                      data_.ConsumeIntegralInRange (-1, 20));
+    case 2:
+      return estimation_.setMaxDepthChangeFactor (anyFloat (data_));
+    case 3:
+      return estimation_.setViewPoint (
+          anyFloat (data_), anyFloat (data_), anyFloat (data_));
+    default:
+      return estimation_.useSensorOriginAsViewPoint();
+    }
+  }
+
+  void
+  changeTwoRunNormals ()
+  {
+    two_run_estimation_.setNumberOfThreads (data_.ConsumeIntegralInRange (0, 3));
+    two_run_estimation_.setRadius (
+        anyFloat (data_), anyFloat (data_), anyFloat (data_));
+    two_run_estimation_.setWindowSize (data_.ConsumeIntegralInRange (-1, 70));
+    two_run_estimation_.setViewPoint (
+        anyFloat (data_), anyFloat (data_), anyFloat (data_));
+    const bool has_surface = data_.ConsumeIntegralInRange (0, 3) == 0;
+    two_run_estimation_.setSearchSurface (has_surface ? anyCloud (data_) : nullptr);
+  }
+
+  void
+  changePlanes ()
+  {
+    using Grid = pcl::rgbd_planes::NormalSpaceGrid;
+    segmentation_.setMinInliers (data_.ConsumeIntegralInRange (0, 300));
+    segmentation_.setAngularThreshold (anyFloat (data_));
+    segmentation_.setDistanceThreshold (anyFloat (data_));
+    segmentation_.setMaximumCurvature (anyFloat (data_));
+    segmentation_.setDepthNoise (anyNoise (data_));
+    segmentation_.setNormalSpaceGrid (data_.ConsumeBool() ? Grid::voxels
+                                                          : Grid::spherical);
+    segmentation_.setProjectPoints (data_.ConsumeBool());
+  }
+
+  void
+  changeObjects ()
+  {
+    extraction_.setBaseTransform (anyPose (data_));
+    extraction_.setHorizontalTolerance (anyFloat (data_));
+    extraction_.setPlaneHeights (anyFloat (data_), anyFloat (data_));
+    extraction_.setMaxObjectHeight (anyFloat (data_));
+    extraction_.setMinObjectHeight (anyFloat (data_));
+    extraction_.setHullTolerance (anyFloat (data_));
+    extraction_.setClusterTolerance (anyFloat (data_));
+    extraction_.setMinPoints (data_.ConsumeIntegralInRange (0, 60));
+    extraction_.setGraspableSides (anyFloat (data_), anyFloat (data_));
+    extraction_.setSplitAtConcaveEdges (data_.ConsumeBool());
+  }
+
+  void
+  changeObstacles ()
+  {
+    detection_.setCameraToBase (anyPose (data_));
+    detection_.setFloorTolerances (anyFloat (data_), anyFloat (data_));
+    detection_.setMinObstacleHeight (anyFloat (data_));
+    detection_.setMinDropDepth (anyFloat (data_));
+    detection_.setMinClusterSize (data_.ConsumeIntegralInRange (0, 20));
+    detection_.setDepthNoise (anyNoise (data_));
+    detection_.setScanLimits ({anyFloat (data_),
+                               anyFloat (data_),
+                               anyFloat (data_),
+                               anyFloat (data_),
+                               anyFloat (data_),
+                               anyFloat (data_)});
+    const std::size_t size = cloud_ ? cloud_->size() : 0;
+    detection_.setExcludedIndices (data_.ConsumeBool() ? anyIndices (data_, size)
+                                                       : nullptr);
+  }
+
+  /** Normals, planes and labels of others may be anything. */
+  void
+  spoilResults ()
+  {
+    if (!normals_->empty()) {
+      auto& normal = (*normals_)[data_.ConsumeIntegralInRange<std::size_t> (
+          0, normals_->size() - 1)];
+      normal.data_n[data_.ConsumeIntegralInRange (0, 2)] = anyFloat (data_);
+      normal.curvature = anyFloat (data_);
+    }
+    if (!labels_->empty())
+      (*labels_)[data_.ConsumeIntegralInRange<std::size_t> (0, labels_->size() - 1)]
+          .label = data_.ConsumeIntegral<std::uint32_t>();
+    if (planes_.empty())
+      return;
+    const auto k = data_.ConsumeIntegralInRange<std::size_t> (0, planes_.size() - 1);
+    planes_[k].values.resize (data_.ConsumeIntegralInRange (3, 5));
+    planes_[k].values[data_.ConsumeIntegralInRange (0, 2)] = anyFloat (data_);
+    if (data_.ConsumeBool())
+      planes_.pop_back();
+  }
+
+  void
+  runAll ()
+  {
+    estimateNormals();
+    findPlanes();
+    findObjects();
+    findObstacles();
+    filter();
+  }
+
+  template <typename Estimation>
+  void
+  estimate (Estimation& estimation)
+  {
+    estimation.setIndices (indices_);
+    estimation.setInputCloud (cloud_);
+    estimation.compute (*normals_);
+    for (const auto& n : *normals_) {
+      const bool is_valid = pcl::isNormalFinite (n);
+      expect (is_valid ? std::fabs (n.getNormalVector3fMap().norm() - 1.f) < 1e-3f
+                       : std::isnan (n.normal_x) && std::isnan (n.normal_y) &&
+                             std::isnan (n.normal_z) && std::isnan (n.curvature));
+      expect (is_valid || !normals_->is_dense);
+    }
+  }
+
+  void
+  estimateNormals ()
+  {
+    estimate (estimation_);
+  }
+
+  void
+  estimateTwoRunNormals ()
+  {
+    estimate (two_run_estimation_);
+  }
+
+  template <typename Segmentation>
+  void
+  setInputs (Segmentation& segmentation)
+  {
+    segmentation.setInputCloud (cloud_);
+    segmentation.setInputNormals (normals_);
+    segmentation.setIndices (indices_);
+  }
+
+  void
+  findPlanes ()
+  {
+    setInputs (segmentation_);
+    decltype (segmentation_)::Regions regions;
+    std::vector<pcl::PointIndices> label_indices, boundaries, parts;
+    std::vector<std::size_t> plane_of_part;
+    segmentation_.segmentAndRefine (
+        regions, planes_, inliers_, labels_, label_indices, boundaries);
+    segmentation_.getSegments (parts, plane_of_part);
+
+    expect (regions.size() == planes_.size() && inliers_.size() == planes_.size());
+    std::vector<std::uint32_t> plane_of (labels_->size(), segmentation_.unlabelled);
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      const auto& values = planes_[k].values;
+      expectIndices (inliers_[k].indices, labels_->size());
+      for (const auto i : inliers_[k].indices)
+        plane_of[static_cast<std::size_t> (i)] = static_cast<std::uint32_t> (k);
+      expect (values.size() == 4 && values[3] >= 0.f);
+      expect (std::fabs (std::hypot (values[0], values[1], values[2]) - 1.f) < 1e-3f);
+    }
+    for (std::size_t i = 0; i < plane_of.size(); ++i)
+      expect ((*labels_)[i].label == plane_of[i]);
+    for (std::size_t k = 0; k < boundaries.size(); ++k)
+      for (const auto i : boundaries[k].indices)
+        expect (plane_of.at (static_cast<std::size_t> (i)) == k);
+    for (const auto& part : parts)
+      expectIndices (part.indices, labels_->size());
+  }
+
+  void
+  findObjects ()
+  {
+    setInputs (extraction_);
+    std::vector<pcl::SupportedObject> objects;
+    extraction_.extract (planes_, inliers_, objects);
+    for (const auto& object : objects) {
+      expectIndices (object.indices.indices, cloud_->size());
+      expect (object.support < planes_.size());
+      expect (object.centroid.allFinite() && object.box_size.minCoeff() >= 0.f);
+    }
+  }
+
+  void
+  findObstacles ()
+  {
+    setInputs (detection_);
+    detection_.setInputPlanes (planes_, labels_);
+    std::vector<pcl::rgbd_planes::Obstacle> obstacles;
+    detection_.detect (obstacles, *classes_);
+    expect (classes_->empty() || classes_->size() == cloud_->size());
+    for (const auto& obstacle : obstacles)
+      expectIndices (obstacle.indices, cloud_->size());
+    for (const float range : detection_.getScan().ranges)
+      expect (range >= 0.f);
+  }
+
+  template <typename Filter>
+  void
+  apply (Filter& filter)
+  {
+    filter.setInputCloud (cloud_);
+    filter.setIndices (indices_);
+    synthetic::Cloud output;
+    filter.filter (output);
+    const std::size_t most = indices_ ? indices_->size() : 0;
+    expect (output.size() <= (cloud_ ? std::max (cloud_->size(), most) : 0));
+  }
+
+  void
+  filter ()
+  {
+    obstacle_filter_.setClasses (classes_);
+    obstacle_filter_.setNegative (data_.ConsumeBool());
+    obstacle_filter_.setKeepOrganized (data_.ConsumeBool());
+    obstacle_filter_.setUserFilterValue (anyFloat (data_));
+    apply (obstacle_filter_);
+    to_base_.setTransform (anyPose (data_));
+    pcl::ModelCoefficients floor;
+    if (!planes_.empty())
+      floor = planes_.front();
+    to_base_.estimateFromFloor (floor);
+    apply (to_base_);
+    projection_.setMaxRayFactor (anyFloat (data_));
+    if (data_.ConsumeBool())
+      projection_.setPlanes (planes_, inliers_);
+    else
+      projection_.setPlanes (planes_, labels_);
+    apply (projection_);
+  }
+
+  FuzzedDataProvider& data_;
+  synthetic::Cloud::Ptr cloud_;
+  pcl::IndicesPtr indices_;
+  Normals::Ptr normals_ = pcl::make_shared<Normals>();
+  Labels::Ptr labels_ = pcl::make_shared<Labels>();
+  Labels::Ptr classes_ = pcl::make_shared<Labels>();
+  std::vector<pcl::ModelCoefficients> planes_;
+  std::vector<pcl::PointIndices> inliers_;
+  pcl::IntegralImageTangentNormalEstimation<PointXYZ, pcl::Normal> estimation_;
+  pcl::TwoRunNormalEstimation<PointXYZ, pcl::Normal> two_run_estimation_;
+  pcl::NormalSpacePlaneSegmentation<PointXYZ, pcl::Normal> segmentation_;
+  pcl::SupportedObjectExtraction<PointXYZ, pcl::Normal> extraction_;
+  pcl::ObstacleDetection<PointXYZ, pcl::Normal> detection_;
+  pcl::ObstacleFilter<PointXYZ> obstacle_filter_;
+  pcl::CameraToBase<PointXYZ> to_base_;
+  pcl::ProjectOntoPlanes<PointXYZ> projection_;
+};
+
+} // namespace
+
+extern "C" int
+LLVMFuzzerTestOneInput (const std::uint8_t* bytes, std::size_t size)
+{
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  FuzzedDataProvider data (bytes, size);
+  Pipeline pipeline (data);
+  for (int step = 0; step < 12 && data.remaining_bytes() > 0; ++step)
+    pipeline.step();
+  return 0;
+}
