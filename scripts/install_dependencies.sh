@@ -8,7 +8,8 @@ packages=(
   libopenmpi-dev # VTK's CMake files look for it
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
-  clang-format-14 python3
+  clang-format-14 python3 doxygen
+  gnuplot-nox # plots of scripts/benchmark.sh
 )
 
 missing=()
