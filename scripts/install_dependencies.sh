@@ -8,7 +8,9 @@ packages=(
   libopenmpi-dev # VTK's CMake files look for it
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
-  clang-format-14 python3
+  clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz
+  clang-format-14 python3 doxygen
+  gnuplot-nox # plots of scripts/benchmark.sh
 )
 
 missing=()

@@ -34,6 +34,21 @@ subsampleNumbers (const std::vector<std::uint32_t>& numbers,
   return result;
 }
 
+/** All stages; milliseconds. */
+double
+detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+        const std::optional<Eigen::Affine3f>& camera_to_base,
+        DetectionPipeline& pipeline)
+{
+  const auto start = std::chrono::steady_clock::now();
+  pipeline.findPlanes (cloud, camera_to_base);
+  pipeline.findObjects();
+  pipeline.findObstacles();
+  const std::chrono::duration<double, std::milli> elapsed =
+      std::chrono::steady_clock::now() - start;
+  return elapsed.count();
+}
+
 std::string
 number (double value, const char* format)
 {
@@ -47,52 +62,8 @@ DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& step
 {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     runs_[i].step = steps[i];
-    runs_[i].extraction.setSplitAtConcaveEdges (true);
-    runs_[i].normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-    runs_[i].labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
     results_.push_back ({resolutionName (steps[i]), {}, {}, {}});
   }
-}
-
-double
-DetectionComparison::detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-                             const Frame& frame,
-                             Run& run)
-{
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers, label_indices;
-  decltype (run.segmentation)::Centroids centroids;
-  decltype (run.segmentation)::Covariances covariances;
-  const auto start = std::chrono::steady_clock::now();
-  run.estimation.setInputCloud (cloud);
-  run.estimation.compute (*run.normals);
-  run.segmentation.setInputCloud (cloud);
-  run.segmentation.setInputNormals (run.normals);
-  run.extraction.setMinPoints (minObjectPoints (cloud->size()));
-  run.segmentation.setMinInliers (
-      static_cast<unsigned> (cloud->size() * 1000 / (640 * 480)));
-  run.segmentation.segment (
-      models, inliers, centroids, covariances, *run.labels, label_indices);
-  Eigen::Affine3f camera_to_base = defaultCameraToBase();
-  if (frame.camera_to_base)
-    camera_to_base = *frame.camera_to_base;
-  else if (!models.empty())
-    camera_to_base = baseOnPlane (models.front().values);
-  const double lowest_m = frame.camera_to_base ? 0. : -2.;
-  const double highest_m = frame.camera_to_base ? 1.2 : 2.;
-  run.extraction.setPlaneHeights (lowest_m, highest_m);
-  run.extraction.setBaseTransform (camera_to_base);
-  run.extraction.setInputCloud (cloud);
-  run.extraction.setInputNormals (run.normals);
-  run.extraction.extract (models, inliers, run.objects);
-  run.detection.setCameraToBase (camera_to_base);
-  run.detection.setInputCloud (cloud);
-  run.detection.setInputNormals (run.normals);
-  run.detection.setInputPlanes (models, run.labels);
-  run.detection.detect (run.obstacles);
-  const std::chrono::duration<double, std::milli> elapsed =
-      std::chrono::steady_clock::now() - start;
-  return elapsed.count();
 }
 
 void
@@ -109,11 +80,12 @@ DetectionComparison::add (const Frame& frame)
         pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
     // The first run pays for memory that later ones find in place.
     if (run.points != cloud->size())
-      detect (cloud, frame, run);
+      detect (cloud, frame.camera_to_base, run.pipeline);
     run.points = cloud->size();
-    results_[i].milliseconds.push_back (detect (cloud, frame, run));
+    results_[i].milliseconds.push_back (
+        detect (cloud, frame.camera_to_base, run.pipeline));
     std::vector<FoundObject> found;
-    for (const auto& object : run.objects)
+    for (const auto& object : run.pipeline.objects())
       found.push_back ({object.indices.indices, object.box_size, object.graspable});
     scoreObjects (frame, run.step, found, results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
@@ -121,7 +93,7 @@ DetectionComparison::add (const Frame& frame)
       const auto numbers = subsampleNumbers (obstacles, full.width, run.step);
       results_[i].obstacles.add (
           {viewPoints (*cloud), truth, numbers, *frame.camera_to_base},
-          run.detection.getClasses());
+          run.pipeline.classes());
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/object_methods.h>
 
@@ -76,6 +77,7 @@ planeClass (const std::array<double, 4>& coefficients,
 FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 : options_ (options)
 , normals_ (new pcl::PointCloud<pcl::Normal>)
+, labels_ (new pcl::PointCloud<pcl::Label>)
 {
   estimation_.setViewPoint (0.f, 0.f, 0.f);
 }
@@ -102,20 +104,20 @@ FrameSegmenter::segment (const Frame& frame)
   segmentation_.segment (coefficients_, inliers_);
   const auto camera_to_base =
       options_.camera_to_base ? options_.camera_to_base : frame.camera_to_base;
+  summary.camera_to_base =
+      camera_to_base ? camera_to_base : estimateCameraToBase (coefficients_);
   if (options_.find_objects)
-    findObjects (frame, camera_to_base, summary);
+    findObjects (frame, camera_to_base.has_value(), summary);
+  labelPoints (cloud);
+  if (options_.find_obstacles)
+    findObstacles (frame, summary);
   summary.times.total = total.milliseconds();
   const PlaneStageTimes& seconds = segmentation_.getStageTimes();
   summary.times.normal_space = 1e3 * seconds.normal_space;
   summary.times.distance_space = 1e3 * seconds.distance_space;
   summary.times.refinement = 1e3 * seconds.refinement;
 
-  pcl::Label none;
-  none.label = unlabelled;
-  labels_ = pcl::PointCloud<pcl::Label> (cloud.width, cloud.height, none);
   for (std::size_t id = 0; id < inliers_.size(); ++id) {
-    for (const auto index : inliers_[id].indices)
-      labels_[static_cast<std::size_t> (index)].label = static_cast<std::uint32_t> (id);
     summary.planes.push_back (
         summarize (cloud, coefficients_[id], inliers_[id].indices));
     summary.planes.back().plane_class =
@@ -126,24 +128,60 @@ FrameSegmenter::segment (const Frame& frame)
 }
 
 void
+FrameSegmenter::labelPoints (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
+{
+  pcl::Label none;
+  none.label = unlabelled;
+  *labels_ = pcl::PointCloud<pcl::Label> (cloud.width, cloud.height, none);
+  for (std::size_t id = 0; id < inliers_.size(); ++id)
+    for (const auto index : inliers_[id].indices)
+      (*labels_)[static_cast<std::size_t> (index)].label =
+          static_cast<std::uint32_t> (id);
+}
+
+void
 FrameSegmenter::findObjects (const Frame& frame,
-                             const std::optional<Eigen::Affine3f>& camera_to_base,
+                             bool pose_is_known,
                              FrameSummary& summary)
 {
   const Stopwatch watch;
-  if (camera_to_base)
-    extraction_.setBaseTransform (*camera_to_base);
-  else if (!coefficients_.empty()) {
-    constexpr double anywhere = 2.;
-    extraction_.setBaseTransform (baseOnPlane (coefficients_.front().values));
+  if (summary.camera_to_base)
+    extraction_.setBaseTransform (*summary.camera_to_base);
+  constexpr double anywhere = 2.; // what has height 0 may be a table
+  if (!pose_is_known)
     extraction_.setPlaneHeights (-anywhere, anywhere);
-  }
   extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
   extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);
   extraction_.setInputNormals (normals_);
   extraction_.extract (coefficients_, inliers_, summary.objects);
   summary.times.objects = watch.milliseconds();
+}
+
+void
+FrameSegmenter::findObstacles (const Frame& frame, FrameSummary& summary)
+{
+  const Stopwatch watch;
+  const Eigen::Affine3f camera_to_base =
+      summary.camera_to_base.value_or (defaultCameraToBase());
+  detection_.setCameraToBase (camera_to_base);
+  detection_.setInputCloud (frame.cloud);
+  detection_.setInputNormals (normals_);
+  detection_.setInputPlanes (coefficients_, labels_);
+  detection_.detect (obstacles_);
+  summary.times.obstacles = watch.milliseconds();
+
+  summary.scan = detection_.getScan();
+  summary.floor_found = detection_.isFloorFound();
+  for (const auto& obstacle : obstacles_) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto index : obstacle.indices)
+      sum += (*frame.cloud)[static_cast<std::size_t> (index)]
+                 .getVector3fMap()
+                 .cast<double>();
+    const Eigen::Vector3d mean = sum / static_cast<double> (obstacle.indices.size());
+    summary.obstacles.push_back ({obstacle, camera_to_base * mean.cast<float>()});
+  }
 }
 
 } // namespace rgbd_planes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/object_methods.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/lccp_segmentation.h>
@@ -47,9 +48,9 @@ public:
     if (input.camera_to_base) {
       extraction_.setBaseTransform (*input.camera_to_base);
     }
-    else if (!models_.empty()) {
+    else if (const auto estimate = estimateCameraToBase (models_)) {
       constexpr double anywhere = 2.;
-      extraction_.setBaseTransform (baseOnPlane (models_.front().values));
+      extraction_.setBaseTransform (*estimate);
       extraction_.setPlaneHeights (-anywhere, anywhere);
     }
     extraction_.setMinPoints (input.min_points);
@@ -105,22 +106,6 @@ segmentWithLccp (const Cloud::ConstPtr& cloud)
 }
 
 } // namespace
-
-Eigen::Affine3f
-baseOnPlane (const std::vector<float>& coefficients)
-{
-  const Eigen::Vector3f up (coefficients.data());
-  // Forward is where the camera looks, or its upper side where it looks down.
-  Eigen::Vector3f ahead = Eigen::Vector3f::UnitZ();
-  if (ahead.cross (up).norm() < 0.1f)
-    ahead = -Eigen::Vector3f::UnitY();
-  const Eigen::Vector3f forward = (ahead - up * up.dot (ahead)).normalized();
-  Eigen::Affine3f transform = Eigen::Affine3f::Identity();
-  transform.linear() << forward.transpose(), up.cross (forward).transpose(),
-      up.transpose();
-  transform.translation().z() = coefficients[3];
-  return transform;
-}
 
 unsigned
 minObjectPoints (std::size_t pixels)

@@ -9,6 +9,8 @@
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/labelled_point.h>
 #include <pcl/apps/object_pictures.h>
+#include <pcl/apps/obstacle_pictures.h>
+#include <pcl/apps/obstacle_report.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/apps/plane_report.h>
@@ -42,25 +44,28 @@ readOptions (int argc, char** argv)
       "drop planes with fewer points; by default 1000 for 640 x 480 pixels and in "
       "proportion for other sizes") (
       "objects", "find objects on horizontal planes up to 1.2 m high") (
+      "obstacles",
+      "find what a robot must not drive into, and write a virtual laser scan of it") (
       "base-transform",
       po::value<std::string>()->value_name ("x,y,z,roll,pitch,yaw"),
       "where the camera is in the frame of the robot (x forward, y left, z up), in "
-      "metres and "
-      "degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, that of a "
-      "simulated camera, or else the largest plane is taken for a table or floor") (
+      "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
+      "that of a simulated camera, or else the largest plane that faces up in the "
+      "image "
+      "is taken for the floor, or for a table") (
       "output",
       po::value<std::string>()->value_name ("DIR"),
-      "write pictures, labelled clouds, planes.csv, objects.csv and result.json "
-      "there") ("json",
-                po::value<std::string>()->value_name ("FILE"),
-                "write the result as JSON");
+      "write pictures, labelled clouds, planes.csv, objects.csv, obstacles.csv, scans "
+      "and result.json there") ("json",
+                                po::value<std::string>()->value_name ("FILE"),
+                                "write the result as JSON");
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
     std::cout << "pcl_segment_planes INPUT [options]\n\n"
-                 "Finds the planes of RGB-D frames, and objects on them. Files appear "
-                 "when all frames are done; "
-                 "after an error\nthere are none.\n\n"
+                 "Finds the planes of RGB-D frames, objects on them, and obstacles. "
+                 "Files appear when all frames\nare done; after an error there are "
+                 "none.\n\n"
               << input_help << '\n'
               << options;
     return std::nullopt;
@@ -75,6 +80,7 @@ readOptions (int argc, char** argv)
     result.segmenter.min_inliers =
         parseCount ("--min-inliers", values["min-inliers"].as<std::string>());
   result.segmenter.find_objects = values.count ("objects") != 0;
+  result.segmenter.find_obstacles = values.count ("obstacles") != 0;
   if (values.count ("base-transform"))
     result.segmenter.camera_to_base =
         parseBaseTransform (values["base-transform"].as<std::string>());
@@ -102,29 +108,37 @@ prepareOutput (const Options& options, OutputFiles& files)
     files.write (*options.output / "planes.csv", "");
     if (options.segmenter.find_objects)
       files.write (*options.output / "objects.csv", "");
+    if (options.segmenter.find_obstacles)
+      files.write (*options.output / "obstacles.csv", "");
   }
   if (options.json)
     files.write (*options.json, "");
 }
 
 void
-writeFrame (const fs::path& folder,
+writeFrame (const Options& options,
             const Frame& frame,
             const FrameSegmenter& segmenter,
-            const std::vector<pcl::SupportedObject>* objects,
+            const FrameSummary& summary,
             OutputFiles& files)
 {
   const auto& labels = segmenter.labels();
   const auto write = [&] (const char* ending, const std::string& contents) {
-    files.write (folder / (frame.name + ending), contents);
+    files.write (*options.output / (frame.name + ending), contents);
   };
   write ("_planes.png", encodePng (planesPicture (*frame.cloud, labels)));
   write ("_normals.png", encodePng (normalsPicture (segmenter.normals())));
   write ("_depth.png", encodePng (depthPicture (*frame.cloud)));
-  if (objects)
-    write (
-        "_objects.png",
-        encodePng (objectsPicture (*frame.cloud, *objects, segmenter.supportPlanes())));
+  if (options.segmenter.find_objects)
+    write ("_objects.png",
+           encodePng (objectsPicture (
+               *frame.cloud, summary.objects, segmenter.supportPlanes())));
+  if (options.segmenter.find_obstacles) {
+    write ("_obstacles.png",
+           encodePng (obstaclesPicture (
+               *frame.cloud, segmenter.obstacleClasses(), summary.obstacles)));
+    write ("_scan.csv", scanCsv (summary.scan));
+  }
   write ("_labels.pcd", encodeLabels (*frame.cloud, segmenter.normals(), labels));
 }
 
@@ -139,11 +153,7 @@ segmentFrames (const FrameSource& source, const Options& options, OutputFiles& f
     const Frame frame = source.read (i);
     summaries.push_back (segmenter.segment (frame));
     if (options.output)
-      writeFrame (*options.output,
-                  frame,
-                  segmenter,
-                  options.segmenter.find_objects ? &summaries.back().objects : nullptr,
-                  files);
+      writeFrame (options, frame, segmenter, summaries.back(), files);
     stopIfInterrupted();
   }
   return summaries;
@@ -168,6 +178,8 @@ segmentPlanes (int argc, char** argv)
     files.write (*options->output / "planes.csv", planesCsv (summaries));
     if (options->segmenter.find_objects)
       files.write (*options->output / "objects.csv", objectsCsv (summaries));
+    if (options->segmenter.find_obstacles)
+      files.write (*options->output / "obstacles.csv", obstaclesCsv (summaries));
   }
   if (options->json)
     files.write (*options->json, json);
@@ -175,6 +187,8 @@ segmentPlanes (int argc, char** argv)
     printPlanes (std::cout, summary);
     if (options->segmenter.find_objects)
       printObjects (std::cout, summary);
+    if (options->segmenter.find_obstacles)
+      printObstacles (std::cout, summary);
   }
   printStageTimes (std::cout, summaries);
   if (!std::cout.flush())

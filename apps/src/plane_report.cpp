@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/csv.h>
+#include <pcl/apps/obstacle_report.h>
 #include <pcl/apps/plane_report.h>
 
 #include <boost/format.hpp>
@@ -30,6 +32,7 @@ constexpr Stage stages[] = {
      &StageTimes::distance_space},
     {"refinement", "refinement", &StageTimes::refinement},
     {"objects", "objects", &StageTimes::objects},
+    {"obstacles", "obstacles", &StageTimes::obstacles},
     {"total", "total", &StageTimes::total}};
 
 struct TimeRange {
@@ -51,18 +54,6 @@ double
 percent (std::size_t part, std::size_t whole)
 {
   return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole) : 0.;
-}
-
-/** A field of a CSV file (RFC 4180). */
-std::string
-quoted (const std::string& text)
-{
-  if (text.find_first_of (",\"\r\n") == std::string::npos)
-    return text;
-  std::string result = "\"";
-  for (const char c : text)
-    result += c == '"' ? "\"\"" : std::string (1, c);
-  return result + '"';
 }
 
 Json
@@ -105,15 +96,17 @@ toJson (const FrameSummary& frame)
   Json objects = Json::array();
   for (const auto& object : frame.objects)
     objects.push_back (toJson (object));
-  return {{"frame", frame.name},
-          {"width", frame.width},
-          {"height", frame.height},
-          {"measured_points", frame.measured_points},
-          {"labelled_points", frame.labelled_points},
-          {"min_inliers", frame.min_inliers},
-          {"stage_times_ms", times},
-          {"planes", planes},
-          {"objects", objects}};
+  Json json{{"frame", frame.name},
+            {"width", frame.width},
+            {"height", frame.height},
+            {"measured_points", frame.measured_points},
+            {"labelled_points", frame.labelled_points},
+            {"min_inliers", frame.min_inliers},
+            {"stage_times_ms", times},
+            {"planes", planes},
+            {"objects", objects}};
+  json.update (obstaclesJson (frame));
+  return json;
 }
 
 Json
@@ -173,13 +166,13 @@ std::string
 objectsCsv (const std::vector<FrameSummary>& frames)
 {
   std::string csv =
-      "frame,object,plane,points,graspable,centroid_x,centroid_y,centroid_z,"
-      "box_x,box_y,box_z,size_1,size_2,height,axis_1_x,axis_1_y,axis_1_z,"
+      "frame,object,plane,points,graspable,centroid_x_m,centroid_y_m,centroid_z_m,"
+      "box_x_m,box_y_m,box_z_m,size_1_m,size_2_m,height_m,axis_1_x,axis_1_y,axis_1_z,"
       "up_x,up_y,up_z\n";
   for (const auto& frame : frames)
     for (std::size_t id = 0; id < frame.objects.size(); ++id) {
       const auto& object = frame.objects[id];
-      csv += quoted (frame.name) + ',' + std::to_string (id) + ',' +
+      csv += csvText (frame.name) + ',' + std::to_string (id) + ',' +
              std::to_string (object.support) + ',' +
              std::to_string (object.indices.indices.size()) +
              (object.graspable ? ",1" : ",0");
@@ -189,8 +182,7 @@ objectsCsv (const std::vector<FrameSummary>& frames)
                                          object.box_axes.col (0),
                                          object.box_axes.col (2)};
       for (const auto& vector : vectors)
-        for (const float value : {vector.x(), vector.y(), vector.z()})
-          csv += (boost::format (",%.6g") % value).str();
+        csv += csvFields (vector);
       csv += '\n';
     }
   return csv;
@@ -217,7 +209,7 @@ planesCsv (const std::vector<FrameSummary>& frames)
       const PlaneSummary& plane = frame.planes[id];
       const auto& [a, b, c, d] = plane.coefficients;
       csv += (boost::format ("%s,%d,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%s\n") %
-              quoted (frame.name) % id % a % b % c % d % plane.points % plane.rms %
+              csvText (frame.name) % id % a % b % c % d % plane.points % plane.rms %
               plane.plane_class)
                  .str();
     }

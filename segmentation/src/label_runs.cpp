@@ -4,18 +4,20 @@
 #include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/plane_assignment.h>
 
+#include <algorithm>
+
 namespace pcl {
 namespace rgbd_planes {
 
 void
-LabelRuns::find (const std::vector<std::uint32_t>& labels,
+LabelRuns::find (std::vector<std::uint32_t>& labels,
                  std::size_t width,
-                 std::size_t number_of_labels)
+                 const std::vector<std::uint32_t>& numbers)
 {
   width_ = width;
   runs_.clear();
   rows_.clear();
-  pixels_.assign (number_of_labels, 0);
+  pixels_.assign (numbers.size(), 0);
   for (std::size_t row = 0; row < labels.size(); row += width) {
     rows_.push_back (runs_.size());
     for (std::size_t begin = row, end; begin < row + width; begin = end) {
@@ -24,9 +26,14 @@ LabelRuns::find (const std::vector<std::uint32_t>& labels,
         ++end;
       if (label == unlabelled)
         continue;
+      const std::uint32_t number = numbers[label];
+      if (number != label)
+        std::fill (&labels[begin], labels.data() + end, number);
+      if (number == unlabelled)
+        continue;
       runs_.push_back (
-          {label, static_cast<index_t> (begin), static_cast<index_t> (end)});
-      pixels_[label] += end - begin;
+          {number, static_cast<index_t> (begin), static_cast<index_t> (end)});
+      pixels_[number] += end - begin;
     }
   }
   rows_.push_back (runs_.size());

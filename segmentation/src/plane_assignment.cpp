@@ -8,107 +8,62 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
 
-/** Normals at creases may be off by 35 degrees, where their estimator averages over them. */
+/** Normals at creases may be off by 35 degrees, where their estimator averages over them.
+ */
 constexpr float max_min_cosine = 0.82f;
-/** The samples of the tile that begins with sample \a begin whose normals agree. */
+
+/** The bits of the samples of a tile and of those beside them. */
 std::uint16_t
-compatibleSamples (const PlaneSamples& samples,
-                   const std::vector<std::int32_t>& owners,
-                   std::size_t begin,
-                   const Plane& plane)
+dilate (std::uint16_t samples)
 {
-  unsigned bits = 0, curved = 0;
-  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k) {
-    const std::size_t i = begin + k;
-    const float cosine = std::abs (samples.normal_x[i] * plane.normal[0] +
-                                   samples.normal_y[i] * plane.normal[1] +
-                                   samples.normal_z[i] * plane.normal[2]);
-    const bool agrees = cosine >= std::min (samples.min_cosine[i], max_min_cosine);
-    bits |= static_cast<unsigned> (agrees) << k;
-    const bool is_curved = owners[i] == PlaneGrowth::curved_surface;
-    curved |= static_cast<unsigned> (is_curved) << k;
-  }
-  // A crease may run between a sample and its pixels.
   constexpr unsigned not_last = 0x7777, not_first = 0xeeee;
+  unsigned bits = samples;
   bits |= (bits & not_last) << 1 | (bits & not_first) >> 1;
   bits |= bits << PlaneSamples::tile_side | bits >> PlaneSamples::tile_side;
-  return static_cast<std::uint16_t> (bits & ~curved);
+  return static_cast<std::uint16_t> (bits);
 }
 
-void
-maskUnselected (const TilePixels& pixels,
-                const std::uint8_t* selected,
-                std::uint32_t* labels)
+std::uint16_t
+curvedSamples (const std::int32_t* owners)
 {
-  for (int v = 0; v < pixels.height; ++v)
-    for (int u = 0; u < pixels.width; ++u) {
-      const std::size_t i = static_cast<std::size_t> (v) * pixels.image_width +
-                            static_cast<std::size_t> (u);
-      if (!selected[i])
-        labels[i] = unlabelled;
-    }
-}
-
-void
-fillLabels (const TilePixels& pixels, std::uint32_t* labels)
-{
-  for (int v = 0; v < pixels.height; ++v)
-    std::fill_n (labels + static_cast<std::size_t> (v) * pixels.image_width,
-                 pixels.width,
-                 unlabelled);
-}
-
-/** The first pixel with \a label, or null. */
-const float*
-findPixel (const TilePixels& pixels, const std::uint32_t* labels, std::uint32_t label)
-{
-  for (int v = 0; v < pixels.height; ++v) {
-    const std::size_t row = static_cast<std::size_t> (v) * pixels.image_width;
-    const std::uint32_t* end = labels + row + pixels.width;
-    const std::uint32_t* found = std::find (labels + row, end, label);
-    if (found != end)
-      return pixels.first + static_cast<std::size_t> (found - labels) * pixels.stride;
-  }
-  return nullptr;
-}
-
-void
-addMoments (const TilePixels& pixels,
-            const std::uint32_t* labels,
-            std::uint32_t label,
-            const DepthNoise& noise,
-            PlaneMoments& moments,
-            PlaneMoments& weighted_moments)
-{
-  const float* p = findPixel (pixels, labels, label);
-  if (!p)
-    return;
-  // Near points differ by little, and single precision is enough.
-  const Eigen::Vector3d reference (p[0], p[1], p[2]);
-  double sums[10], weighted[10];
-  sumPixels (pixels, labels, label, noise, {p[0], p[1], p[2]}, sums, weighted);
-  const auto number = static_cast<std::size_t> (sums[0]);
-  moments.add (sums, reference, number);
-  weighted_moments.add (weighted, reference, number);
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
+    bits |= static_cast<unsigned> (owners[k] == PlaneGrowth::curved_surface) << k;
+  return static_cast<std::uint16_t> (bits);
 }
 
 } // namespace
 
 void
+PlaneAssignment::findPlanes (const PlaneSamples& samples,
+                             const std::vector<std::int32_t>& owners,
+                             const std::vector<Plane>& planes)
+{
+  findPresentPlanes (samples, owners);
+  candidates_.clear();
+  first_candidate_.clear();
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    first_candidate_.push_back (candidates_.size());
+    findCandidates (samples, owners, planes, tile);
+  }
+  first_candidate_.push_back (candidates_.size());
+}
+
+void
 PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
                                     const std::vector<std::int32_t>& owners)
 {
-  const std::size_t tiles = samples.size() / PlaneSamples::tile_size;
   present_.clear();
-  first_.clear();
-  for (std::size_t tile = 0; tile < tiles; ++tile) {
-    first_.push_back (present_.size());
+  first_present_.clear();
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    first_present_.push_back (present_.size());
     std::int32_t own[PlaneSamples::tile_size];
     std::copy_n (&owners[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, own);
     if (std::all_of (
@@ -123,95 +78,209 @@ PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
           (k == 0 || own[k - 1] != own[k]))
         present_.push_back (static_cast<std::uint32_t> (own[k]));
   }
-  first_.push_back (present_.size());
+  first_present_.push_back (present_.size());
 }
 
 /** The planes of the tile and of the eight around it. */
-std::size_t
-PlaneAssignment::findPlanesAround (const PlaneSamples& samples,
-                                   const std::vector<std::int32_t>& owners,
-                                   const std::vector<Plane>& planes,
-                                   int tile_u,
-                                   int tile_v,
-                                   TilePlane* around) const
+void
+PlaneAssignment::findCandidates (const PlaneSamples& samples,
+                                 const std::vector<std::int32_t>& owners,
+                                 const std::vector<Plane>& planes,
+                                 std::size_t tile)
 {
-  const auto begin = static_cast<std::size_t> (tile_v * samples.tiles_u + tile_u) *
-                     PlaneSamples::tile_size;
-  std::size_t number = 0;
-  const int last_v = std::min (tile_v + 1, samples.tiles_v - 1);
-  const int last_u = std::min (tile_u + 1, samples.tiles_u - 1);
-  for (int v = std::max (tile_v - 1, 0); v <= last_v; ++v)
-    for (int u = std::max (tile_u - 1, 0); u <= last_u; ++u) {
-      const auto tile = static_cast<std::size_t> (v * samples.tiles_u + u);
-      for (std::size_t k = first_[tile]; k < first_[tile + 1]; ++k) {
-        const std::uint32_t id = present_[k];
-        const auto is_known = [id] (const TilePlane& plane) {
-          return plane.number == id;
-        };
-        if (std::any_of (around, around + number, is_known))
-          continue;
-        const Plane& plane = planes[id];
-        around[number++] = {
-            id,
-            {plane.normal[0], plane.normal[1], plane.normal[2], plane.d},
-            compatibleSamples (samples, owners, begin, plane)};
-      }
+  const std::size_t first = candidates_.size(), begin = tile * PlaneSamples::tile_size;
+  samples.forEachTileAround (tile, [&] (std::size_t other) {
+    for (std::size_t k = first_present_[other]; k < first_present_[other + 1]; ++k) {
+      const std::uint32_t plane = present_[k];
+      const auto is_known = [plane] (const Candidate& candidate) {
+        return candidate.plane == plane;
+      };
+      if (std::any_of (candidates_.begin() + static_cast<std::ptrdiff_t> (first),
+                       candidates_.end(),
+                       is_known))
+        continue;
+      const std::uint16_t agree = compatibleSamples (
+          samples, begin, equationOf (planes[plane]), max_min_cosine);
+      // A crease may run between a sample and its pixels.
+      candidates_.push_back ({plane, dilate (agree)});
     }
-  return number;
+  });
+  if (first == candidates_.size())
+    return;
+  const std::uint16_t curved = curvedSamples (&owners[begin]);
+  for (std::size_t k = first; k < candidates_.size(); ++k)
+    candidates_[k].compatible =
+        static_cast<std::uint16_t> (candidates_[k].compatible & ~curved);
 }
 
 void
-PlaneAssignment::compute (const OrganizedPoints& points,
-                          const std::vector<std::uint8_t>& selected,
-                          const PlaneSamples& samples,
-                          const std::vector<std::int32_t>& owners,
-                          const std::vector<Plane>& planes,
-                          const DepthNoise& noise,
-                          float max_sigmas,
-                          Pixels which)
+PlaneAssignment::layOutTiles (const PlaneSamples& samples,
+                              const OrganizedPoints& points)
 {
-  findPresentPlanes (samples, owners);
-  labels_.resize (points.size());
+  if (image_width_ == points.width && image_height_ == points.height)
+    return;
+  image_width_ = points.width;
+  image_height_ = points.height;
+  const int side = PlaneSamples::tile_side * samples.step;
+  const int last_width = image_width_ - (samples.tiles_u - 1) * side;
+  const int last_height = image_height_ - (samples.tiles_v - 1) * side;
+  for (int k = 0; k < 4; ++k) {
+    TilePixels& pixels = layouts_[static_cast<std::size_t> (k)];
+    pixels.width = k % 2 ? last_width : side;
+    pixels.height = k / 2 ? last_height : side;
+    pixels.offsets.clear();
+    pixels.samples.clear();
+    for (int v = 0; v < pixels.height; ++v)
+      for (int u = 0; u < pixels.width; ++u) {
+        pixels.offsets.push_back (v * image_width_ + u);
+        pixels.samples.push_back (v / samples.step * PlaneSamples::tile_side +
+                                  u / samples.step);
+      }
+    while (pixels.offsets.size() % PlaneSamples::tile_size != 0) {
+      pixels.offsets.push_back (0);
+      pixels.samples.push_back (0);
+    }
+  }
+  const auto pixels = static_cast<std::size_t> (side * side);
+  for (auto* values : {&x_, &y_, &z_})
+    values->resize (pixels);
+  tile_labels_.resize (std::max (pixels, PlaneSamples::tile_size));
+}
+
+void
+PlaneAssignment::assignSamples (const PlaneSamples& samples,
+                                const std::vector<Plane>& planes,
+                                const DepthNoise& noise,
+                                float max_sigmas)
+{
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
-  const int every = which == Pixels::all ? 1 : samples.step;
-  const int width = (points.width - every / 2 + every - 1) / every;
-  const int height = (points.height - every / 2 + every - 1) / every;
-  const int side = PlaneSamples::tile_side * samples.step / every;
-  const auto image_width = static_cast<std::size_t> (points.width);
-  for (int tile_v = 0; tile_v < samples.tiles_v; ++tile_v)
-    for (int tile_u = 0; tile_u < samples.tiles_u; ++tile_u) {
-      const auto row = static_cast<std::size_t> (tile_v * side);
-      const auto column = static_cast<std::size_t> (tile_u * side);
-      const auto begin = static_cast<std::size_t> (every / 2) * (image_width + 1);
-      const std::size_t first = row * image_width + column;
-      TilePixels pixels;
-      pixels.first = points[begin + first * static_cast<std::size_t> (every)];
-      pixels.stride = points.stride * static_cast<std::size_t> (every);
-      pixels.image_width = image_width;
-      pixels.width = std::min (side, width - tile_u * side);
-      pixels.height = std::min (side, height - tile_v * side);
-      pixels.step = samples.step / every;
-      if (pixels.width <= 0 || pixels.height <= 0)
-        continue;
+  tile_labels_.resize (std::max (tile_labels_.size(), PlaneSamples::tile_size));
+  std::int32_t own[PlaneSamples::tile_size];
+  std::iota (own, std::end (own), 0);
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    const std::size_t begin = tile * PlaneSamples::tile_size;
+    if (first_candidate_[tile] < first_candidate_[tile + 1])
+      assignTile ({&samples.x[begin],
+                   &samples.y[begin],
+                   &samples.z[begin],
+                   PlaneSamples::tile_size},
+                  own,
+                  samples,
+                  tile,
+                  planes,
+                  noise,
+                  max_sigmas);
+  }
+}
 
-      TilePlane around[max_planes_around];
-      const std::size_t number =
-          findPlanesAround (samples, owners, planes, tile_u, tile_v, around);
-      if (number == 0) {
-        fillLabels (pixels, &labels_[first]);
-        continue;
+void
+PlaneAssignment::assignPixels (const OrganizedPoints& points,
+                               const std::vector<std::uint8_t>& selected,
+                               const PlaneSamples& samples,
+                               const std::vector<Plane>& planes,
+                               const DepthNoise& noise,
+                               float max_sigmas)
+{
+  layOutTiles (samples, points);
+  moments_.assign (planes.size(), PlaneMoments{});
+  weighted_moments_.assign (planes.size(), PlaneMoments{});
+  labels_.resize (points.size());
+  const auto width = static_cast<std::size_t> (points.width);
+  const auto side = static_cast<std::size_t> (layouts_[0].width);
+  std::size_t tile = 0;
+  for (int v = 0; v < samples.tiles_v; ++v)
+    for (int u = 0; u < samples.tiles_u; ++u, ++tile) {
+      const std::size_t first =
+          (static_cast<std::size_t> (v) * width + static_cast<std::size_t> (u)) * side;
+      const bool at_right = u + 1 == samples.tiles_u, below = v + 1 == samples.tiles_v;
+      const TilePixels& pixels = layouts_[(below ? 2u : 0u) + (at_right ? 1u : 0u)];
+      if (first_candidate_[tile] == first_candidate_[tile + 1])
+        std::fill (tile_labels_.begin(), tile_labels_.end(), unlabelled);
+      else {
+        loadTile (points, selected, pixels, first);
+        assignTile ({x_.data(), y_.data(), z_.data(), pixels.offsets.size()},
+                    pixels.samples.data(),
+                    samples,
+                    tile,
+                    planes,
+                    noise,
+                    max_sigmas);
       }
-      assignPixels (
-          pixels, around, number, noise, max_sigmas, unlabelled, &labels_[first]);
-      if (!selected.empty() && which == Pixels::all)
-        maskUnselected (pixels, &selected[first], &labels_[first]);
-      for (std::size_t k = 0; k < number; ++k) {
-        const std::uint32_t id = around[k].number;
-        addMoments (
-            pixels, &labels_[first], id, noise, moments_[id], weighted_moments_[id]);
-      }
+      const auto row = static_cast<std::size_t> (pixels.width);
+      for (std::size_t k = 0; k < static_cast<std::size_t> (pixels.height); ++k)
+        std::copy_n (&tile_labels_[k * row], row, &labels_[first + k * width]);
     }
+}
+
+void
+PlaneAssignment::loadTile (const OrganizedPoints& points,
+                           const std::vector<std::uint8_t>& selected,
+                           const TilePixels& pixels,
+                           std::size_t first)
+{
+  loadPixels (points[first],
+              points.stride,
+              pixels.offsets,
+              static_cast<std::size_t> (pixels.width),
+              x_.data(),
+              y_.data(),
+              z_.data());
+  const auto number = static_cast<std::size_t> (pixels.width * pixels.height);
+  std::fill (x_.begin() + static_cast<std::ptrdiff_t> (number),
+             x_.begin() + static_cast<std::ptrdiff_t> (pixels.offsets.size()),
+             std::numeric_limits<float>::quiet_NaN());
+  if (!selected.empty())
+    for (std::size_t k = 0; k < number; ++k)
+      if (!selected[first + static_cast<std::size_t> (pixels.offsets[k])])
+        x_[k] = std::numeric_limits<float>::quiet_NaN();
+}
+
+/** Leaves the labels of the points, and adds to the moments. */
+void
+PlaneAssignment::assignTile (const PointBlock& points,
+                             const std::int32_t* samples_of_points,
+                             const PlaneSamples& samples,
+                             std::size_t tile,
+                             const std::vector<Plane>& planes,
+                             const DepthNoise& noise,
+                             float max_sigmas)
+{
+  TilePlane candidates[max_candidates];
+  std::size_t number = 0;
+  for (std::size_t k = first_candidate_[tile]; k < first_candidate_[tile + 1]; ++k) {
+    const Candidate& candidate = candidates_[k];
+    candidates[number++] = {
+        candidate.plane, equationOf (planes[candidate.plane]), candidate.compatible};
+  }
+  assignPoints (points,
+                samples_of_points,
+                candidates,
+                number,
+                noise,
+                max_sigmas,
+                unlabelled,
+                tile_labels_.data());
+
+  // Near points differ by little, and single precision is enough.
+  const Eigen::Vector3d reference = samples.measuredPoint (tile).cast<double>();
+  for (std::size_t k = 0; k < number; ++k) {
+    double sums[10];
+    sumPoints (points,
+               tile_labels_.data(),
+               candidates[k].number,
+               {reference[0], reference[1], reference[2]},
+               sums);
+    if (!(sums[0] > 0.))
+      continue;
+    PlaneMoments moments;
+    moments.add (sums, reference, static_cast<std::size_t> (sums[0]));
+    moments_[candidates[k].number] += moments;
+    const auto squared_range = static_cast<float> (moments.mean().squaredNorm());
+    const float sigma = noise.sigma (squared_range);
+    weighted_moments_[candidates[k].number] +=
+        moments.scaled (squared_range / (sigma * sigma));
+  }
 }
 
 } // namespace rgbd_planes

@@ -14,7 +14,7 @@ namespace rgbd_planes {
 namespace {
 
 /** Cells of the normal-space grid hold at least this share of all samples. */
-constexpr double min_cell_share = 1e-4;
+constexpr double min_cell_share = 2.5e-4;
 /** A connected part of a cluster is a candidate with this share of min_inliers. */
 constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
@@ -56,13 +56,15 @@ PlaneExtraction::compute (const OrganizedPoints& points,
   findParts();
   start = std::chrono::steady_clock::now();
   joinParts();
+  assignment_.findPlanes (samples_, owners_, planes_);
   // Samples near a crease may lie nearer to the plane on its other side.
-  assign (points, selected, PlaneAssignment::Pixels::samples);
+  assignment_.assignSamples (samples_, planes_, parameters.noise, max_sigmas_);
   for (std::size_t k = 0; k < planes_.size(); ++k)
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
-  assign (points, selected, PlaneAssignment::Pixels::all);
-  finish();
+  assignment_.assignPixels (
+      points, selected, samples_, planes_, parameters.noise, max_sigmas_);
+  finish (static_cast<std::size_t> (points.width));
   times_.refinement += secondsSince (start);
 }
 
@@ -130,24 +132,9 @@ PlaneExtraction::joinParts()
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
 }
 
-void
-PlaneExtraction::assign (const OrganizedPoints& points,
-                         const std::vector<std::uint8_t>& selected,
-                         PlaneAssignment::Pixels which)
-{
-  assignment_.compute (points,
-                       selected,
-                       samples_,
-                       owners_,
-                       planes_,
-                       parameters_.noise,
-                       max_sigmas_,
-                       which);
-}
-
 /** Drops planes with too few points, sorts the others, and fits them. */
 void
-PlaneExtraction::finish()
+PlaneExtraction::finish (std::size_t width)
 {
   const auto& sums = assignment_.moments();
   order_.resize (sums.size());
@@ -175,9 +162,7 @@ PlaneExtraction::finish()
     moments_.push_back (sums[k]);
     parameter_covariances_.push_back (parameterCovariance (weighted, m));
   }
-  for (std::uint32_t& label : assignment_.labels())
-    if (label != unlabelled)
-      label = numbers_[label];
+  runs_.find (assignment_.labels(), width, numbers_);
 }
 
 } // namespace rgbd_planes

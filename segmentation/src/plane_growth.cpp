@@ -32,24 +32,6 @@ constexpr float min_start_cosine = 0.8f;
 constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 6.,
                  min_bent_turn = 0.08;
 
-PlaneEquation
-equationOf (const Plane& plane)
-{
-  return {plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
-}
-
-/** Calls \a body (tile) for the tiles that touch \a tile, and for itself. */
-template <typename Body>
-void
-forEachAround (std::uint32_t tile, int tiles_u, int tiles_v, const Body& body)
-{
-  const int u = static_cast<int> (tile) % tiles_u,
-            v = static_cast<int> (tile) / tiles_u;
-  for (int y = std::max (v - 1, 0); y <= std::min (v + 1, tiles_v - 1); ++y)
-    for (int x = std::max (u - 1, 0); x <= std::min (u + 1, tiles_u - 1); ++x)
-      body (static_cast<std::uint32_t> (y * tiles_u + x));
-}
-
 } // namespace
 
 void
@@ -57,12 +39,10 @@ PlaneGrowth::reset (const PlaneSamples& samples, double min_points, float max_si
 {
   min_points_ = min_points;
   max_sigmas_ = max_sigmas;
-  tiles_u_ = samples.tiles_u;
-  tiles_v_ = samples.tiles_v;
   moments_.clear();
   owners_.assign (samples.size(), none);
   claimed_.assign (samples.size(), 0.f);
-  const std::size_t tiles = samples.size() / PlaneSamples::tile_size;
+  const std::size_t tiles = samples.tiles();
   counts_.assign (tiles, 0);
   free_.assign (tiles, 0);
   connected_.assign (tiles, 0);
@@ -110,18 +90,24 @@ PlaneMoments
 PlaneGrowth::fitSeed (const PlaneSamples& samples,
                       const SampleComponents::Component& seed)
 {
-  PlaneMoments moments;
   seed_tiles_.clear();
+  std::size_t number = 0;
   for (const std::uint32_t* i = seed.begin; i != seed.end; ++i) {
     if (!samples.isFree (*i))
       continue;
-    const float p[] = {samples.x[*i], samples.y[*i], samples.z[*i]};
-    moments.add (p, samples.weight[*i]);
     const auto tile = static_cast<std::uint32_t> (*i / PlaneSamples::tile_size);
-    if (seed_tiles_.empty() || seed_tiles_.back() != tile)
+    if (number == 0)
+      reference_ = {samples.x[*i], samples.y[*i], samples.z[*i]};
+    if (number == 0 || seed_tiles_.back() != tile) {
       seed_tiles_.push_back (tile);
+      std::fill_n (
+          &claimed_[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, 0.f);
+    }
+    claimed_[*i] = samples.weight[*i];
+    ++number;
   }
-  if (moments.points > 0)
+  const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
+  if (number > 0)
     reference_ = moments.mean().cast<float>().cast<double>();
   return moments;
 }
@@ -144,14 +130,14 @@ PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
                   max_sigmas,
                   claimed_.data(),
                   counts_.data());
-    keepTilesAround();
+    keepTilesAround (samples);
     std::size_t number = 0;
     for (const std::uint32_t tile : tiles_)
       number += counts_[tile];
     const auto now = static_cast<double> (number);
     if (now < min_claim)
       return false;
-    sums_ = sumOver (samples, number);
+    sums_ = sumOver (samples, tiles_, number);
     if (i == max_iterations ||
         (i > 0 && std::abs (now - before) < stable_share * before))
       return true;
@@ -163,7 +149,7 @@ PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
 /** Collects the tiles of the plane that hang together with those of its seed, and the
  * tiles around them. */
 void
-PlaneGrowth::keepTilesAround()
+PlaneGrowth::keepTilesAround (const PlaneSamples& samples)
 {
   stack_.clear();
   tiles_.clear();
@@ -176,7 +162,7 @@ PlaneGrowth::keepTilesAround()
   for (const std::uint32_t tile : seed_tiles_)
     connect (tile);
   for (std::size_t k = 0; k < stack_.size(); ++k)
-    forEachAround (stack_[k], tiles_u_, tiles_v_, [&] (std::uint32_t tile) {
+    samples.forEachTileAround (stack_[k], [&] (std::uint32_t tile) {
       connect (tile);
       if (!near_[tile] && counts_[tile] > 0) {
         near_[tile] = 1;
@@ -190,11 +176,13 @@ PlaneGrowth::keepTilesAround()
 }
 
 PlaneMoments
-PlaneGrowth::sumOver (const PlaneSamples& samples, std::size_t number) const
+PlaneGrowth::sumOver (const PlaneSamples& samples,
+                      const std::vector<std::uint32_t>& tiles,
+                      std::size_t number) const
 {
   double sums[10];
   sumSamples (samples,
-              tiles_,
+              tiles,
               claimed_.data(),
               {reference_[0], reference_[1], reference_[2]},
               sums);

@@ -5,6 +5,7 @@
 
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
+#include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 
 #include <cstddef>
@@ -21,6 +22,12 @@ struct PlaneEquation {
   float x, y, z, d;
 };
 
+inline PlaneEquation
+equationOf (const Plane& plane)
+{
+  return {plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
+}
+
 /** Nearer points have no direction. */
 constexpr float min_squared_range = 1e-12f;
 /** Squares of larger numbers are no floats. */
@@ -29,6 +36,11 @@ constexpr float max_squared_range = 1e18f;
 /** Points lie on a plane up to this many standard deviations of depth away along the
  * viewing ray; seen flatter than this cosine, a plane gets no nearer. */
 constexpr float min_view_cosine = 0.1f;
+
+/** From the points and normals of \a samples, (0, 0, 0) where there is none, the standard
+ * deviations, weights, and cosines. */
+void
+fillUncertainties (PlaneSamples& samples, const DepthNoise& noise);
 
 /** Marks the free samples of \a tiles that lie on a plane and whose normals agree.
  * \param[out] claimed the weight of each sample of the tiles that does, 0 for others
@@ -60,6 +72,14 @@ sumNormals (const PlaneSamples& samples,
             const double (&reference)[3],
             double (&sums)[22]);
 
+/** For each sample of the tile that begins with sample \a begin, a bit: the cosine between
+ * its normal and that of the plane is large enough, or at least \a enough. */
+std::uint16_t
+compatibleSamples (const PlaneSamples& samples,
+                   std::size_t begin,
+                   const PlaneEquation& plane,
+                   float enough);
+
 /** A plane that the points of a tile may lie on. */
 struct TilePlane {
   std::uint32_t number = 0;
@@ -68,20 +88,34 @@ struct TilePlane {
   std::uint16_t compatible = 0;
 };
 
-/** The pixels of a tile of samples. */
-struct TilePixels {
-  const float* first = nullptr; /**< x, y, z of the upper left one */
-  std::size_t stride = 0;       /**< floats from one point to the next in a row */
-  std::size_t image_width = 0;
-  int width = 0, height = 0; /**< of the tile, less at the borders of the image */
-  int step = 1;              /**< pixels between samples */
+/** Points in arrays of their coordinates, as many as fill vectors of
+ * PlaneSamples::tile_size; NaN where there is none. */
+struct PointBlock {
+  const float *x = nullptr, *y = nullptr, *z = nullptr;
+  std::size_t size = 0;
 };
 
-/** Gives each pixel of a tile the nearest one of \a planes, or \a none.
- * \param[out] labels of the upper left pixel, of an image as wide as that of the points
+/** Copies pixels from an image into arrays.
+ * \param[in] first x, y, z of a pixel
+ * \param[in] stride floats from one pixel to the next in a row
+ * \param[in] offsets of the pixels from the first one, in pixels; those in a row of
+ * \a run lie side by side
  */
 void
-assignPixels (const TilePixels& pixels,
+loadPixels (const float* first,
+            std::size_t stride,
+            const std::vector<std::int32_t>& offsets,
+            std::size_t run,
+            float* x,
+            float* y,
+            float* z);
+
+/** Gives each point the nearest one of \a planes, or \a none.
+ * \param[in] samples the sample in the tile whose normal stands for that of the point
+ */
+void
+assignPoints (const PointBlock& points,
+              const std::int32_t* samples,
               const TilePlane* planes,
               std::size_t number,
               const DepthNoise& noise,
@@ -89,16 +123,14 @@ assignPixels (const TilePixels& pixels,
               std::uint32_t none,
               std::uint32_t* labels);
 
-/** Sums over the pixels with \a label relative to \a reference, as sumSamples(): with
- * weights of 1, and with the inverse squares of relative standard deviations. */
+/** Sums over the points with \a label relative to \a reference, as sumSamples(), with
+ * weights of 1. */
 void
-sumPixels (const TilePixels& pixels,
+sumPoints (const PointBlock& points,
            const std::uint32_t* labels,
            std::uint32_t label,
-           const DepthNoise& noise,
            const double (&reference)[3],
-           double (&sums)[10],
-           double (&weighted)[10]);
+           double (&sums)[10]);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -16,20 +16,6 @@ namespace {
 /** Samples along the longer side of large images and of small ones, about. */
 constexpr int samples_of_large = 160, samples_of_small = 107;
 constexpr int large_side = 480;
-/** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
- * each metre, as depth noise tilts far normals. */
-constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, largest_angle = 60.f;
-
-float
-minCosine (float range)
-{
-  const float degrees =
-      std::min (angle_at_sensor + angle_per_metre * range, largest_angle);
-  const float angle = degrees * static_cast<float> (M_PI / 180.);
-  const float square = angle * angle;
-  return 1.f - square * (1.f / 2.f - square * (1.f / 24.f - square * (1.f / 720.f)));
-}
-
 float
 squaredRange (const float* p)
 {
@@ -63,11 +49,10 @@ PlaneSamples::resize (int image_width, int image_height)
   tiles_u = (width + tile_side - 1) / tile_side;
   tiles_v = (height + tile_side - 1) / tile_side;
   const std::size_t size = static_cast<std::size_t> (tiles_u * tiles_v) * tile_size;
-  for (auto* values :
-       {&x, &y, &z, &normal_x, &normal_y, &normal_z, &weight, &min_cosine})
+  for (auto* values : {&x, &y, &z, &normal_x, &normal_y, &normal_z})
     values->assign (size, 0.f);
-  sigma.assign (size, -1.f);
-  relative_sigma.assign (size, -1.f);
+  for (auto* values : {&sigma, &relative_sigma, &weight, &min_cosine})
+    values->resize (size);
   if (width != old_width || height != old_height)
     findNeighbours();
 }
@@ -92,10 +77,13 @@ PlaneSamples::findNeighbours()
 void
 PlaneSamples::findClustered (std::vector<std::uint32_t>& clustered) const
 {
-  clustered.clear();
-  for (std::size_t i = 0; i < size(); ++i)
-    if (isFree (i) && min_cosine[i] >= 0.f)
-      clustered.push_back (static_cast<std::uint32_t> (i));
+  clustered.resize (size());
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    clustered[number] = static_cast<std::uint32_t> (i);
+    number += isFree (i) & (min_cosine[i] >= 0.f);
+  }
+  clustered.resize (number);
 }
 
 void
@@ -120,24 +108,18 @@ PlaneSamples::compute (const OrganizedPoints& points,
         continue;
       const std::size_t i = at (u, v);
       const float* p = points[pixel];
-      const float squared_range = squaredRange (p);
-      const float range = std::sqrt (squared_range);
       x[i] = p[0];
       y[i] = p[1];
       z[i] = p[2];
-      sigma[i] = noise.sigma (squared_range);
-      relative_sigma[i] = sigma[i] / range;
-      weight[i] = 1.f / (relative_sigma[i] * relative_sigma[i]);
       const float* normal = normals.normal + pixel * normals.stride;
-      min_cosine[i] = -1.f;
       if (!isUnit (normal) ||
           normals.curvature[pixel * normals.stride] > maximum_curvature)
         continue;
       normal_x[i] = normal[0];
       normal_y[i] = normal[1];
       normal_z[i] = normal[2];
-      min_cosine[i] = minCosine (range);
     }
+  fillUncertainties (*this, noise);
 }
 
 /** The pixel in the middle of a sample's cell, or else the first usable one of the cell;

@@ -49,6 +49,12 @@ dot (const PlaneEquation& plane, const Points& p)
                      hn::MulAdd (set (plane.y), p.y, hn::Mul (set (plane.z), p.z)));
 }
 
+HWY_INLINE V
+squaredLength (const Points& p)
+{
+  return hn::MulAdd (p.x, p.x, hn::MulAdd (p.y, p.y, hn::Mul (p.z, p.z)));
+}
+
 /** Weighted sums of points, of their coordinates and products. */
 struct Sums {
   V values[10];

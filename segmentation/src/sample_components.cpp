@@ -19,9 +19,19 @@ SampleComponents::join (const PlaneSamples& samples,
   for (const std::uint32_t i : clustered) {
     if (clusters[i] < 0)
       continue;
-    for (const std::uint32_t neighbour : samples.neighbours[i])
-      if (clusters[neighbour] == clusters[i])
+    const auto joined = [&] (std::uint32_t neighbour) {
+      const bool same = neighbour != i && clusters[neighbour] == clusters[i];
+      if (same)
         sets_.join (i, neighbour);
+      return same;
+    };
+    const auto& around = samples.neighbours[i];
+    // Neighbours that touch each other are joined without this sample.
+    if (joined (around.above))
+      continue;
+    if (!joined (around.left))
+      joined (around.above_left);
+    joined (around.above_right);
   }
 }
 

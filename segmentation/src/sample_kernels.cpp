@@ -8,6 +8,8 @@
 // After foreach_target.h, which includes this file once for each set of instructions.
 #include "plane_vectors-inl.h"
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -37,7 +39,56 @@ relativePoints (const PlaneSamples& samples,
           hn::Sub (load (&samples.z[i]), set (static_cast<float> (reference[2])))};
 }
 
+/** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
+ * each metre, as depth noise tilts far normals. */
+constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, largest_angle = 60.f;
+
+/** The cosine of this angle. */
+HWY_INLINE V
+minCosine (V range)
+{
+  const V degrees =
+      hn::Min (hn::MulAdd (range, set (angle_per_metre), set (angle_at_sensor)),
+               set (largest_angle));
+  const V angle = hn::Mul (degrees, set (static_cast<float> (M_PI / 180.)));
+  const V square = hn::Mul (angle, angle);
+  V series = hn::NegMulAdd (square, set (1.f / 720.f), set (1.f / 24.f));
+  series = hn::NegMulAdd (square, series, set (1.f / 2.f));
+  return hn::NegMulAdd (square, series, set (1.f));
+}
+
 } // namespace
+
+void
+fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
+{
+  const V none = set (-1.f);
+  for (std::size_t i = 0; i < samples.size(); i += hn::Lanes (Floats())) {
+    const V squared_range = squaredLength (
+        {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])});
+    const V squared_normal = squaredLength ({load (&samples.normal_x[i]),
+                                             load (&samples.normal_y[i]),
+                                             load (&samples.normal_z[i])});
+    const Mask measured = hn::Gt (squared_range, hn::Zero (Floats()));
+    const V range = hn::Sqrt (squared_range);
+    const V sigma =
+        hn::MulAdd (squared_range, set (noise.quadratic), set (noise.constant));
+    const V relative = hn::Div (sigma, range);
+    hn::StoreU (hn::IfThenElse (measured, sigma, none), Floats(), &samples.sigma[i]);
+    hn::StoreU (hn::IfThenElse (measured, relative, none),
+                Floats(),
+                &samples.relative_sigma[i]);
+    hn::StoreU (hn::IfThenElseZero (measured,
+                                    hn::Div (set (1.f), hn::Mul (relative, relative))),
+                Floats(),
+                &samples.weight[i]);
+    hn::StoreU (hn::IfThenElse (hn::Gt (squared_normal, hn::Zero (Floats())),
+                                minCosine (range),
+                                none),
+                Floats(),
+                &samples.min_cosine[i]);
+  }
+}
 
 void
 claimSamplesHere (const PlaneSamples& samples,
@@ -116,6 +167,29 @@ sumNormalsHere (const PlaneSamples& samples,
     sums[10 + k] = total (normals[k]);
 }
 
+std::uint16_t
+compatibleSamplesHere (const PlaneSamples& samples,
+                       std::size_t begin,
+                       const PlaneEquation& plane,
+                       float enough)
+{
+  unsigned bits = 0;
+  for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
+       lane += hn::Lanes (Floats())) {
+    const std::size_t i = begin + lane;
+    const V cosine = dot (plane,
+                          {load (&samples.normal_x[i]),
+                           load (&samples.normal_y[i]),
+                           load (&samples.normal_z[i])});
+    const Mask agrees = hn::Ge (hn::Abs (cosine),
+                                hn::Min (load (&samples.min_cosine[i]), set (enough)));
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits (Floats(), agrees, bytes);
+    bits |= (bytes[0] | static_cast<unsigned> (bytes[1]) << 8) << lane;
+  }
+  return static_cast<std::uint16_t> (bits);
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace rgbd_planes
 } // namespace pcl
@@ -125,9 +199,17 @@ HWY_AFTER_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
 
+HWY_EXPORT (fillUncertaintiesHere);
 HWY_EXPORT (claimSamplesHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (sumNormalsHere);
+HWY_EXPORT (compatibleSamplesHere);
+
+void
+fillUncertainties (PlaneSamples& samples, const DepthNoise& noise)
+{
+  HWY_DYNAMIC_DISPATCH (fillUncertaintiesHere) (samples, noise);
+}
 
 void
 claimSamples (const PlaneSamples& samples,
@@ -159,6 +241,15 @@ sumNormals (const PlaneSamples& samples,
             double (&sums)[22])
 {
   HWY_DYNAMIC_DISPATCH (sumNormalsHere) (samples, tiles, claimed, reference, sums);
+}
+
+std::uint16_t
+compatibleSamples (const PlaneSamples& samples,
+                   std::size_t begin,
+                   const PlaneEquation& plane,
+                   float enough)
+{
+  return HWY_DYNAMIC_DISPATCH (compatibleSamplesHere) (samples, begin, plane, enough);
 }
 
 } // namespace rgbd_planes

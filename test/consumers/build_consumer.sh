@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# build_consumer.sh find_package|add_subdirectory|pkg_config SOURCE BUILD LIBDIR: builds the
-# program of README.md against this project and runs it on a plane.
+# build_consumer.sh find_package|add_subdirectory|pkg_config SOURCE PREFIX LIBDIR: builds the
+# program of README.md against this project, installed to PREFIX, and runs it on a plane.
 set -euo pipefail
-way=$1 source=$2 build=$3 libdir=$4
+way=$1 source=$2 prefix=$3 libdir=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -14,10 +14,6 @@ readme_block() {
     inside' "$source/README.md"
 }
 readme_block cpp >"$work/planes.cpp"
-prefix=$work/installed
-if [ "$way" != add_subdirectory ]; then
-  cmake --install "$build" --prefix "$prefix" >/dev/null
-fi
 
 case $way in
   find_package)

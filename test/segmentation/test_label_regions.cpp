@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -103,7 +104,9 @@ LabelRuns
 findRuns (const Image& image)
 {
   LabelRuns runs;
-  runs.find (image.labels, static_cast<std::size_t> (image.width), 10);
+  std::vector<std::uint32_t> labels = image.labels, numbers (10);
+  std::iota (numbers.begin(), numbers.end(), 0u);
+  runs.find (labels, static_cast<std::size_t> (image.width), numbers);
   return runs;
 }
 
@@ -141,6 +144,29 @@ TEST (LabelRuns, AreThePixelsOfEachLabel)
            i < runs.rows()[static_cast<std::size_t> (row) + 1];
            ++i)
         EXPECT_EQ (runs.runs()[i].begin / image.width, row);
+  }
+}
+
+TEST (LabelRuns, GiveLabelsNewNumbers)
+{
+  const std::vector<std::uint32_t> numbers{
+      3, unlabelled, 0, 2, unlabelled, 1, 6, 5, 4, 7};
+  for (const Image& image : randomImages()) {
+    Image expected = image;
+    for (std::uint32_t& label : expected.labels)
+      label = label == unlabelled ? unlabelled : numbers[label];
+    std::vector<std::uint32_t> labels = image.labels;
+    LabelRuns runs;
+    runs.find (labels, static_cast<std::size_t> (image.width), numbers);
+    EXPECT_EQ (labels, expected.labels);
+    const LabelRuns expected_runs = findRuns (expected);
+    ASSERT_EQ (runs.runs().size(), expected_runs.runs().size());
+    for (std::size_t i = 0; i < runs.runs().size(); ++i) {
+      EXPECT_EQ (runs.runs()[i].label, expected_runs.runs()[i].label);
+      EXPECT_EQ (runs.runs()[i].begin, expected_runs.runs()[i].begin);
+      EXPECT_EQ (runs.runs()[i].end, expected_runs.runs()[i].end);
+    }
+    EXPECT_EQ (runs.pixels(), expected_runs.pixels());
   }
 }
 

@@ -3,13 +3,10 @@
 
 #pragma once
 
+#include <pcl/apps/detection_pipeline.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/object_evaluation.h>
 #include <pcl/apps/obstacle_evaluation.h>
-#include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/segmentation/normal_space_plane_segmentation.h>
-#include <pcl/segmentation/obstacle_detection.h>
-#include <pcl/segmentation/supported_object_extraction.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -61,22 +58,8 @@ private:
   struct Run {
     std::uint32_t step = 1;
     std::size_t points = 0; // of the frame before
-    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-    pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
-    pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection;
-    pcl::PointCloud<pcl::Normal>::Ptr normals;
-    pcl::PointCloud<pcl::Label>::Ptr labels;
-    std::vector<pcl::SupportedObject> objects;
-    std::vector<Obstacle> obstacles;
+    DetectionPipeline pipeline;
   };
-
-  /** All stages; milliseconds. Where the pose of the camera is unknown, the largest plane
-   * is taken for a table or floor. */
-  static double
-  detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-          const Frame& frame,
-          Run& run);
 
   std::vector<Run> runs_;
   std::vector<DetectionResult> results_; // one for each run

@@ -6,6 +6,7 @@
 #include <pcl/apps/frame_source.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/obstacle_detection.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <array>
@@ -23,6 +24,7 @@ struct StageTimes {
   double distance_space = 0.;
   double refinement = 0.;
   double objects = 0.;
+  double obstacles = 0.;
   /** All of the above and what lies between them; not reading and writing of files. */
   double total = 0.;
 };
@@ -44,8 +46,9 @@ struct SegmenterOptions {
    * proportion for other sizes. */
   std::optional<unsigned> min_inliers;
   bool find_objects = false;
-  /** Where the camera is; by default where a simulated one is. Without either, the largest
-   * plane is taken for a table or floor. */
+  bool find_obstacles = false;
+  /** Where the camera is; by default where a simulated one is. Without either,
+   * estimateCameraToBase(). */
   std::optional<Eigen::Affine3f> camera_to_base;
 };
 
@@ -54,6 +57,12 @@ struct SegmenterOptions {
 std::string
 planeClass (const std::array<double, 4>& coefficients,
             const std::optional<Eigen::Affine3f>& camera_to_base);
+
+struct ObstacleSummary {
+  Obstacle obstacle;
+  /** The mean of its points in the base frame. */
+  Eigen::Vector3f centroid;
+};
 
 /** \brief What is known of a frame after it was segmented, without its points. */
 struct FrameSummary {
@@ -68,9 +77,17 @@ struct FrameSummary {
   std::vector<PlaneSummary> planes;
   /** Where options ask for them. */
   std::vector<pcl::SupportedObject> objects;
+  /** Where options ask for them, by increasing distance. */
+  std::vector<ObstacleSummary> obstacles;
+  VirtualScan scan;
+  /** Nothing where obstacles were not asked for. */
+  std::optional<bool> floor_found;
+  /** Where the camera was taken to be; nothing where that is unknown and there is no
+   * plane to estimate it from. */
+  std::optional<Eigen::Affine3f> camera_to_base;
 };
 
-/** \brief Finds the planes, and objects on them, of one frame after the other. */
+/** \brief Finds the planes of one frame after the other, objects on them, and obstacles. */
 class FrameSegmenter {
 public:
   explicit FrameSegmenter (const SegmenterOptions& options);
@@ -89,7 +106,7 @@ public:
   const pcl::PointCloud<pcl::Label>&
   labels () const
   {
-    return labels_;
+    return *labels_;
   }
 
   /** \brief The planes that objects were looked for on. */
@@ -99,20 +116,34 @@ public:
     return extraction_.getSupportPlanes();
   }
 
+  /** \brief What each point of the last frame is to a robot, where options ask for
+   * obstacles. */
+  const std::vector<ObstacleClass>&
+  obstacleClasses () const
+  {
+    return detection_.getClasses();
+  }
+
 private:
   void
-  findObjects (const Frame& frame,
-               const std::optional<Eigen::Affine3f>& camera_to_base,
-               FrameSummary& summary);
+  labelPoints (const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
+
+  void
+  findObjects (const Frame& frame, bool pose_is_known, FrameSummary& summary);
+
+  void
+  findObstacles (const Frame& frame, FrameSummary& summary);
 
   SegmenterOptions options_;
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZRGB, pcl::Normal> estimation_;
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZRGB, pcl::Normal> segmentation_;
   pcl::SupportedObjectExtraction<pcl::PointXYZRGB, pcl::Normal> extraction_;
+  pcl::ObstacleDetection<pcl::PointXYZRGB, pcl::Normal> detection_;
   pcl::PointCloud<pcl::Normal>::Ptr normals_;
-  pcl::PointCloud<pcl::Label> labels_;
+  pcl::PointCloud<pcl::Label>::Ptr labels_;
   std::vector<pcl::ModelCoefficients> coefficients_;
   std::vector<pcl::PointIndices> inliers_;
+  std::vector<Obstacle> obstacles_;
 };
 
 } // namespace rgbd_planes

@@ -22,7 +22,7 @@ namespace rgbd_planes {
 struct ObjectInput {
   /** Organized, in the camera frame, metres. */
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
-  /** Where the camera is; without, the largest plane is taken for a table, at height 0. */
+  /** Where the camera is; without, estimateCameraToBase(). */
   std::optional<Eigen::Affine3f> camera_to_base;
   /** Smaller objects are not asked for. */
   unsigned min_points = 50;
@@ -37,11 +37,6 @@ struct ObjectMethod {
   std::function<double (const ObjectInput& input, std::vector<FoundObject>& found)>
       compute;
 };
-
-/** \brief The transform for a camera whose place is unknown, from a plane a, b, c, d that is a
- * table: z along its normal, the plane at height 0. */
-Eigen::Affine3f
-baseOnPlane (const std::vector<float>& coefficients);
 
 /** \brief The fewest points of an object in an image of so many pixels: 50 of 640 x 480, in
  * proportion for others, and no fewer than 20. */

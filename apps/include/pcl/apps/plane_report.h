@@ -36,8 +36,8 @@ printObjects (std::ostream& out, const FrameSummary& frame);
 std::string
 objectsCsv (const std::vector<FrameSummary>& frames);
 
-/** \brief result.json: the input with what was set, the stage times, and the planes of
- * each frame. Units are in the names. */
+/** \brief result.json: the input with what was set, the stage times, and the planes,
+ * objects and obstacles of each frame. Units are in the names. */
 std::string
 resultJson (const InputOptions& options, const std::vector<FrameSummary>& frames);
 

@@ -41,15 +41,15 @@ struct LabelRun {
  * of, in far fewer steps than from pixels. */
 class PCL_RGBD_PLANES_EXPORTS LabelRuns {
 public:
-  /** \brief Finds the runs of all labels but \ref unlabelled.
-   * \param[in] labels one for each pixel, row by row: 0 ... \a number_of_labels - 1, or
-   * unlabelled
+  /** \brief Gives labels new numbers, and finds their runs.
+   * \param[in,out] labels one for each pixel, row by row; \ref unlabelled has no runs
    * \param[in] width pixels of a row
+   * \param[in] numbers the new number of each label, each once, or unlabelled
    */
   void
-  find (const std::vector<std::uint32_t>& labels,
+  find (std::vector<std::uint32_t>& labels,
         std::size_t width,
-        std::size_t number_of_labels);
+        const std::vector<std::uint32_t>& numbers);
 
   const std::vector<LabelRun>&
   runs () const

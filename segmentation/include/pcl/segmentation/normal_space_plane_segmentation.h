@@ -9,7 +9,6 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/connected_parts.h>
-#include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/planar_region.h>
 #include <pcl/segmentation/plane_extraction.h>
 
@@ -335,7 +334,6 @@ private:
   Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
   std::uint32_t width_ = 0;
-  rgbd_planes::LabelRuns runs_;
   std::vector<double> rms_;
 
   // Memory that is used again:

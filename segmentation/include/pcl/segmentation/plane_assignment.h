@@ -9,6 +9,7 @@
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +18,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
+struct PointBlock;
 struct TilePlane;
 
 /** \brief The label of points that lie on no plane. */
@@ -33,23 +35,33 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
-  /** \brief Which points to assign: all, or those that are samples. */
-  enum class Pixels { all, samples };
-
-  /** \brief Assigns points.
-   * \param[in] selected not 0 for the points to look at; empty for all
+  /** \brief Finds the planes around each tile.
    * \param[in] owners the plane of each sample, PlaneGrowth::none or curved_surface
-   * \param[in] planes whose numbers the labels are
+   * \param[in] planes whose numbers the owners are
    */
   void
-  compute (const OrganizedPoints& points,
-           const std::vector<std::uint8_t>& selected,
-           const PlaneSamples& samples,
-           const std::vector<std::int32_t>& owners,
-           const std::vector<Plane>& planes,
-           const DepthNoise& noise,
-           float max_sigmas,
-           Pixels which);
+  findPlanes (const PlaneSamples& samples,
+              const std::vector<std::int32_t>& owners,
+              const std::vector<Plane>& planes);
+
+  /** \brief Assigns samples to \a planes: those that were found, which may have been
+   * fitted anew. */
+  void
+  assignSamples (const PlaneSamples& samples,
+                 const std::vector<Plane>& planes,
+                 const DepthNoise& noise,
+                 float max_sigmas);
+
+  /** \brief Assigns all points.
+   * \param[in] selected not 0 for the points to look at; empty for all
+   */
+  void
+  assignPixels (const OrganizedPoints& points,
+                const std::vector<std::uint8_t>& selected,
+                const PlaneSamples& samples,
+                const std::vector<Plane>& planes,
+                const DepthNoise& noise,
+                float max_sigmas);
 
   /** \brief After all points were assigned, the plane of each point, or \ref unlabelled. */
   std::vector<std::uint32_t>&
@@ -71,7 +83,8 @@ public:
     return moments_;
   }
 
-  /** \brief The same, weighted as PlaneMoments says. */
+  /** \brief The same, weighted as PlaneMoments says, with the same weight for all points
+   * of a plane in a tile. */
   const std::vector<PlaneMoments>&
   weightedMoments () const
   {
@@ -79,26 +92,64 @@ public:
   }
 
 private:
-  static constexpr std::size_t min_samples_in_tile = 4;
-  /** How many a tile and the eight around it can have. */
-  static constexpr std::size_t max_planes_around =
-      9 * PlaneSamples::tile_size / min_samples_in_tile;
+  /** A plane that the points of a tile may lie on, and a bit for each sample of the tile
+   * whose normal agrees. */
+  struct Candidate {
+    std::uint32_t plane;
+    std::uint16_t compatible;
+  };
 
-  std::size_t
-  findPlanesAround (const PlaneSamples& samples,
-                    const std::vector<std::int32_t>& owners,
-                    const std::vector<Plane>& planes,
-                    int tile_u,
-                    int tile_v,
-                    TilePlane* around) const;
+  /** The pixels of a tile, row by row: their places from the first one of the tile on,
+   * and in which samples' cells they lie. */
+  struct TilePixels {
+    int width = 0, height = 0;
+    std::vector<std::int32_t> offsets, samples;
+  };
+
+  static constexpr std::size_t min_samples_in_tile = 4;
+  /** How many planes a tile and the eight around it can have. */
+  static constexpr std::size_t max_candidates =
+      9 * PlaneSamples::tile_size / min_samples_in_tile;
 
   void
   findPresentPlanes (const PlaneSamples& samples,
                      const std::vector<std::int32_t>& owners);
 
-  /** Planes with enough samples in each tile: present_[first_[t] ... first_[t + 1]). */
+  void
+  findCandidates (const PlaneSamples& samples,
+                  const std::vector<std::int32_t>& owners,
+                  const std::vector<Plane>& planes,
+                  std::size_t tile);
+
+  void
+  layOutTiles (const PlaneSamples& samples, const OrganizedPoints& points);
+
+  void
+  loadTile (const OrganizedPoints& points,
+            const std::vector<std::uint8_t>& selected,
+            const TilePixels& pixels,
+            std::size_t first);
+
+  void
+  assignTile (const PointBlock& points,
+              const std::int32_t* samples_of_points,
+              const PlaneSamples& samples,
+              std::size_t tile,
+              const std::vector<Plane>& planes,
+              const DepthNoise& noise,
+              float max_sigmas);
+
+  /** Planes with enough samples in each tile: present_[first_present_[t] ...
+   * first_present_[t + 1]); candidates likewise. */
   std::vector<std::uint32_t> present_;
-  std::vector<std::size_t> first_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::size_t> first_present_, first_candidate_;
+  /** Of tiles inside of the image, and at its right, its lower, and both borders. */
+  std::array<TilePixels, 4> layouts_;
+  int image_width_ = 0, image_height_ = 0;
+  /** The points of a tile, and their labels. */
+  std::vector<float> x_, y_, z_;
+  std::vector<std::uint32_t> tile_labels_;
   std::vector<std::uint32_t> labels_;
   std::vector<PlaneMoments> moments_, weighted_moments_;
 };

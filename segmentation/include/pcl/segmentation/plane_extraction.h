@@ -7,6 +7,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/distance_space_clusters.h>
+#include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/normal_space_clusters.h>
 #include <pcl/segmentation/plane_assignment.h>
 #include <pcl/segmentation/plane_growth.h>
@@ -107,6 +108,12 @@ public:
     return assignment_.labels();
   }
 
+  const LabelRuns&
+  runs () const
+  {
+    return runs_;
+  }
+
   const PlaneRejections&
   rejections () const
   {
@@ -130,12 +137,7 @@ private:
   joinParts ();
 
   void
-  assign (const OrganizedPoints& points,
-          const std::vector<std::uint8_t>& selected,
-          PlaneAssignment::Pixels which);
-
-  void
-  finish ();
+  finish (std::size_t width);
 
   PlaneExtractionParameters parameters_;
   float max_sigmas_ = 0.f;
@@ -151,6 +153,7 @@ private:
   std::vector<PlaneMoments> moments_;
   std::vector<Eigen::Matrix4d> parameter_covariances_;
   std::vector<std::uint32_t> order_, numbers_;
+  LabelRuns runs_;
   PlaneRejections rejections_;
   PlaneStageTimes times_;
 };

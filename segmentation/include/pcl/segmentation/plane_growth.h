@@ -67,7 +67,7 @@ private:
   claimUntilStable (const PlaneSamples& samples, Plane plane, float max_sigmas);
 
   void
-  keepTilesAround ();
+  keepTilesAround (const PlaneSamples& samples);
 
   bool
   isCurved (const PlaneSamples& samples, const Plane& plane) const;
@@ -76,11 +76,12 @@ private:
   take (PlaneSamples& samples, std::int32_t owner);
 
   PlaneMoments
-  sumOver (const PlaneSamples& samples, std::size_t number) const;
+  sumOver (const PlaneSamples& samples,
+           const std::vector<std::uint32_t>& tiles,
+           std::size_t number) const;
 
   double min_points_ = 0.;
   float max_sigmas_ = 0.f;
-  int tiles_u_ = 0, tiles_v_ = 0;
   /** Tiles with free samples, and their numbers. */
   std::vector<std::uint32_t> active_;
   std::vector<std::uint8_t> free_;

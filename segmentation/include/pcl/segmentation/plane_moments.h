@@ -75,6 +75,13 @@ struct PlaneMoments {
     return *this;
   }
 
+  /** \brief The same points, with weights \a factor times as large. */
+  PlaneMoments
+  scaled (double factor) const
+  {
+    return {factor * weight, factor * first, factor * second, points};
+  }
+
   Eigen::Vector3d
   mean () const
   {

@@ -7,7 +7,9 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 
-#include <array>
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,6 +52,36 @@ public:
     return x.size();
   }
 
+  std::size_t
+  tiles () const
+  {
+    return size() / tile_size;
+  }
+
+  /** \brief Calls \a body (tile) for the tiles that touch \a tile, and for itself. */
+  template <typename Body>
+  void
+  forEachTileAround (std::size_t tile, const Body& body) const
+  {
+    const int u = static_cast<int> (tile) % tiles_u,
+              v = static_cast<int> (tile) / tiles_u;
+    for (int row = std::max (v - 1, 0); row <= std::min (v + 1, tiles_v - 1); ++row)
+      for (int column = std::max (u - 1, 0); column <= std::min (u + 1, tiles_u - 1);
+           ++column)
+        body (static_cast<std::uint32_t> (row * tiles_u + column));
+  }
+
+  /** \brief A measured point of \a tile; (0, 0, 0) if there is none. */
+  Eigen::Vector3f
+  measuredPoint (std::size_t tile) const
+  {
+    const float* begin = &weight[tile * tile_size];
+    const float* measured =
+        std::find_if (begin, begin + tile_size - 1, [] (float w) { return w > 0.f; });
+    const auto i = static_cast<std::size_t> (measured - weight.data());
+    return {x[i], y[i], z[i]};
+  }
+
   /** \brief The place of column \a u, row \a v of the samples in the arrays. */
   std::size_t
   at (int u, int v) const
@@ -72,9 +104,11 @@ public:
    * normal is not trusted. */
   std::vector<float> min_cosine;
 
-  /** For each sample those to the left, above left, above and above right, or itself
-   * where the image ends. */
-  std::vector<std::array<std::uint32_t, 4>> neighbours;
+  struct Neighbours {
+    std::uint32_t left, above_left, above, above_right;
+  };
+  /** For each sample those beside it, or itself where the image ends. */
+  std::vector<Neighbours> neighbours;
 
   bool
   isFree (std::size_t i) const

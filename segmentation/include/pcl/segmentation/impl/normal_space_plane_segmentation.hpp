@@ -127,7 +127,6 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 
   const auto& planes = plane_extraction_.planes();
   const auto& moments = plane_extraction_.moments();
-  runs_.find (plane_extraction_.labels(), width_, planes.size());
   rms_.resize (planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k)
     rms_[k] = std::sqrt (std::max (moments[k].squaredDistances (planes[k]), 0.) /
@@ -150,10 +149,10 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillModels (
     model_coefficients[k].values = {
         plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
     inlier_indices[k].header = header_;
-    inlier_indices[k].indices.resize (runs_.pixels()[k]);
+    inlier_indices[k].indices.resize (plane_extraction_.runs().pixels()[k]);
     list_ends_[k] = inlier_indices[k].indices.data();
   }
-  for (const auto& run : runs_.runs())
+  for (const auto& run : plane_extraction_.runs().runs())
     run.appendTo (list_ends_[run.label]);
 }
 
@@ -182,7 +181,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
     Regions& regions, std::vector<PointIndices>& boundary_indices)
 {
   const auto& planes = plane_extraction_.planes();
-  parts_.find (runs_);
+  parts_.find (plane_extraction_.runs());
   largest_parts_.assign (planes.size(), {});
   for (const auto& part : parts_.parts())
     if (part.pixels > largest_parts_[part.label].pixels)
@@ -300,7 +299,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::getSegments (
     std::vector<PointIndices>& segment_indices,
     std::vector<std::size_t>& plane_of_segment)
 {
-  parts_.find (runs_);
+  parts_.find (plane_extraction_.runs());
   const auto& parts = parts_.parts();
   const auto isLarge = [this] (const rgbd_planes::ConnectedParts::Part& part) {
     return part.pixels >= parameters_.min_inliers;
@@ -317,9 +316,10 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::getSegments (
       list_ends_[part] = segment.indices.data();
       plane_of_segment.push_back (parts[part].label);
     }
-  for (std::size_t i = 0; i < runs_.runs().size(); ++i)
+  const auto& runs = plane_extraction_.runs().runs();
+  for (std::size_t i = 0; i < runs.size(); ++i)
     if (index_t*& end = list_ends_[parts_.partOfRun()[i]])
-      runs_.runs()[i].appendTo (end);
+      runs[i].appendTo (end);
 }
 
 } // namespace pcl

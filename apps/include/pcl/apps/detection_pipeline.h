@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/obstacle_detection.h>
+#include <pcl/segmentation/supported_object_extraction.h>
+
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief All stages in one go: normals, planes, objects (split at concave edges) and
+ * obstacles, on one thread, with their buffers. */
+class DetectionPipeline {
+public:
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+  DetectionPipeline() { extraction_.setSplitAtConcaveEdges (true); }
+
+  /** \brief Normals and planes.
+   * \param[in] camera_to_base where the camera is; without, estimateCameraToBase()
+   */
+  void
+  findPlanes (const Cloud::ConstPtr& cloud,
+              const std::optional<Eigen::Affine3f>& camera_to_base);
+
+  /** \brief Objects on the planes of the last call of findPlanes(). */
+  void
+  findObjects ();
+
+  /** \brief Obstacles, from the planes of the last call of findPlanes(). */
+  void
+  findObstacles ();
+
+  const std::vector<pcl::SupportedObject>&
+  objects () const
+  {
+    return objects_;
+  }
+
+  const std::vector<Obstacle>&
+  obstacles () const
+  {
+    return obstacles_;
+  }
+
+  /** \brief The class of each point. */
+  const std::vector<ObstacleClass>&
+  classes () const
+  {
+    return detection_.getClasses();
+  }
+
+private:
+  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation_;
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation_;
+  pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction_;
+  pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection_;
+  Cloud::ConstPtr cloud_;
+  pcl::PointCloud<pcl::Normal>::Ptr normals_ =
+      pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  pcl::PointCloud<pcl::Label>::Ptr labels_ =
+      pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+  std::vector<pcl::ModelCoefficients> models_;
+  std::vector<pcl::PointIndices> inliers_, label_indices_;
+  decltype (segmentation_)::Centroids centroids_;
+  decltype (segmentation_)::Covariances covariances_;
+  std::vector<pcl::SupportedObject> objects_;
+  std::vector<Obstacle> obstacles_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

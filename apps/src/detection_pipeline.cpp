@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/detection_pipeline.h>
+#include <pcl/apps/estimated_pose.h>
+#include <pcl/apps/object_methods.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace rgbd_planes {
+
+void
+DetectionPipeline::findPlanes (const Cloud::ConstPtr& cloud,
+                               const std::optional<Eigen::Affine3f>& camera_to_base)
+{
+  cloud_ = cloud;
+  estimation_.setInputCloud (cloud);
+  estimation_.compute (*normals_);
+  segmentation_.setInputCloud (cloud);
+  segmentation_.setInputNormals (normals_);
+  segmentation_.setMinInliers (static_cast<unsigned> (
+      std::max<std::size_t> (cloud->size() * 1000 / (640 * 480), 3)));
+  segmentation_.segment (
+      models_, inliers_, centroids_, covariances_, *labels_, label_indices_);
+
+  const Eigen::Affine3f pose =
+      camera_to_base ? *camera_to_base
+                     : estimateCameraToBase (models_).value_or (defaultCameraToBase());
+  extraction_.setBaseTransform (pose);
+  detection_.setCameraToBase (pose);
+  const double lowest_m = camera_to_base ? 0. : -2.; // what has height 0 may be a table
+  const double highest_m = camera_to_base ? 1.2 : 2.;
+  extraction_.setPlaneHeights (lowest_m, highest_m);
+}
+
+void
+DetectionPipeline::findObjects()
+{
+  extraction_.setMinPoints (minObjectPoints (cloud_->size()));
+  extraction_.setInputCloud (cloud_);
+  extraction_.setInputNormals (normals_);
+  extraction_.extract (models_, inliers_, objects_);
+}
+
+void
+DetectionPipeline::findObstacles()
+{
+  detection_.setInputCloud (cloud_);
+  detection_.setInputNormals (normals_);
+  detection_.setInputPlanes (models_, labels_);
+  detection_.detect (obstacles_);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/estimated_pose.h>
+#include <pcl/filters/camera_pose.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace rgbd_planes {
+
+std::optional<Eigen::Affine3f>
+estimateCameraToBase (const std::vector<pcl::ModelCoefficients>& planes)
+{
+  if (planes.empty())
+    return std::nullopt;
+  constexpr float min_cosine = 0.5f;
+  const auto facing_up = std::find_if (
+      planes.begin(), planes.end(), [] (const pcl::ModelCoefficients& plane) {
+        return -plane.values[1] >= min_cosine;
+      });
+  const auto& floor = facing_up != planes.end() ? *facing_up : planes.front();
+  return cameraToBaseFromFloor (
+      Eigen::Map<const Eigen::Vector4f> (floor.values.data()));
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

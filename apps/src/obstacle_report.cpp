@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/csv.h>
+#include <pcl/apps/obstacle_report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <ostream>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+const char*
+kindOf (const Obstacle& obstacle)
+{
+  return obstacle.kind == Obstacle::Kind::drop_off ? "drop_off" : "obstacle";
+}
+
+} // namespace
+
+void
+printObstacles (std::ostream& out, const FrameSummary& frame)
+{
+  out << boost::format ("%s: %d obstacles%s\n") % frame.name % frame.obstacles.size() %
+             (frame.floor_found.value_or (false) ? ""
+                                                 : ", no floor found: nothing is safe");
+  if (frame.obstacles.empty())
+    return;
+  out << "  obstacle   distance m   direction deg     at x       y       z    points   "
+         "kind\n";
+  constexpr double degrees = 180. / M_PI;
+  for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
+    const auto& [obstacle, centroid] = frame.obstacles[id];
+    out << boost::format ("%10d %12.3f %15.1f %8.3f %7.3f %7.3f %9d   %s\n") % id %
+               obstacle.distance % (degrees * obstacle.direction) % centroid.x() %
+               centroid.y() % centroid.z() % obstacle.indices.size() %
+               kindOf (obstacle);
+  }
+}
+
+std::string
+obstaclesCsv (const std::vector<FrameSummary>& frames)
+{
+  std::string csv =
+      "frame,obstacle,kind,points,distance_m,direction_rad,nearest_x_m,nearest_y_m,"
+      "nearest_z_m,centroid_x_m,centroid_y_m,centroid_z_m\n";
+  for (const auto& frame : frames)
+    for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
+      const auto& [obstacle, centroid] = frame.obstacles[id];
+      csv += (boost::format ("%s,%d,%s,%d,%.6g,%.6g") % csvText (frame.name) % id %
+              kindOf (obstacle) % obstacle.indices.size() % obstacle.distance %
+              obstacle.direction)
+                 .str() +
+             csvFields (obstacle.nearest) + csvFields (centroid) + '\n';
+    }
+  return csv;
+}
+
+std::string
+scanCsv (const VirtualScan& scan)
+{
+  std::string csv = "direction_rad,range_m\n";
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i)
+    csv += (boost::format ("%.6g,%.6g\n") %
+            (scan.angle_min + static_cast<float> (i) * scan.angle_increment) %
+            scan.ranges[i])
+               .str();
+  return csv;
+}
+
+nlohmann::ordered_json
+obstaclesJson (const FrameSummary& frame)
+{
+  using Json = nlohmann::ordered_json;
+  const auto toJson = [] (const Eigen::Vector3f& v) {
+    return Json{v.x(), v.y(), v.z()};
+  };
+  Json pose, floor_found, obstacles = Json::array();
+  if (frame.floor_found)
+    floor_found = *frame.floor_found;
+  for (int row = 0; frame.camera_to_base && row < 3; ++row) {
+    const Eigen::Vector4f values = frame.camera_to_base->matrix().row (row);
+    pose.push_back ({values[0], values[1], values[2], values[3]});
+  }
+  for (const auto& [obstacle, centroid] : frame.obstacles)
+    obstacles.push_back ({{"kind", kindOf (obstacle)},
+                          {"points", obstacle.indices.size()},
+                          {"distance_m", obstacle.distance},
+                          {"direction_rad", obstacle.direction},
+                          {"nearest_m", toJson (obstacle.nearest)},
+                          {"centroid_m", toJson (centroid)}});
+  return {
+      {"floor_found", floor_found}, {"camera_to_base", pose}, {"obstacles", obstacles}};
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

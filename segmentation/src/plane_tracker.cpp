@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/console/print.h>
+#include <pcl/segmentation/plane_tracker.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+
+namespace {
+
+/** From frame to frame; radians and metres. */
+constexpr float max_turn = 0.5f, max_shift = 1.f;
+/** Frames for which an unseen plane is remembered. */
+constexpr unsigned max_missed = 15;
+
+/** 1 for the same plane, 0 from the largest turn or shift on. */
+float
+similarity (const Eigen::Vector4f& a, const Eigen::Vector4f& b)
+{
+  const float turn = 2.f * std::asin (std::min (1.f, 0.5f * (a - b).head<3>().norm()));
+  const float shift = std::fabs (a.w() - b.w());
+  return std::max (0.f, 1.f - turn / max_turn) *
+         std::max (0.f, 1.f - shift / max_shift);
+}
+
+} // namespace
+
+void
+PlaneTracker::track (const std::vector<ModelCoefficients>& model_coefficients,
+                     const PointCloud<Label>& labels,
+                     std::vector<std::uint32_t>& ids)
+{
+  ids.clear();
+  if (!checkInput (model_coefficients, labels))
+    return;
+  planes_.clear();
+  for (const auto& model : model_coefficients)
+    planes_.emplace_back (model.values.data());
+  fit (labels.width, labels.height);
+  countOverlaps (labels);
+  match();
+  remember (labels);
+  for (const auto track : track_of_plane_)
+    ids.push_back (tracks_[track].id);
+}
+
+bool
+PlaneTracker::checkInput (const std::vector<ModelCoefficients>& model_coefficients,
+                          const PointCloud<Label>& labels) const
+{
+  if (!model_coefficients.empty() && labels.empty()) {
+    PCL_ERROR ("[pcl::PlaneTracker::track] The planes have no labels.\n");
+    return false;
+  }
+  for (const auto& model : model_coefficients)
+    if (model.values.size() != 4) {
+      PCL_ERROR ("[pcl::PlaneTracker::track] A plane has %zu coefficients, not 4.\n",
+                 model.values.size());
+      return false;
+    }
+  return true;
+}
+
+void
+PlaneTracker::fit (std::uint32_t width, std::uint32_t height)
+{
+  if (width == width_ && height == height_)
+    return;
+  scaled_.assign (static_cast<std::size_t> (width) * height, {});
+  if (!pixels_.empty())
+    for (std::size_t v = 0, i = 0; v < height; ++v)
+      for (std::size_t u = 0; u < width; ++u, ++i)
+        scaled_[i] = pixels_[v * height_ / height * width_ + u * width_ / width];
+  pixels_.swap (scaled_);
+  width_ = width;
+  height_ = height;
+}
+
+void
+PlaneTracker::countOverlaps (const PointCloud<Label>& labels)
+{
+  const std::size_t planes = planes_.size();
+  overlaps_.assign (tracks_.size() * planes, 0);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const std::size_t plane = labels[i].label;
+    if (plane >= planes)
+      continue;
+    const auto [track, former] = pixels_[i];
+    if (track != none)
+      ++overlaps_[track * planes + plane];
+    if (former != none && tracks_[former].missed > 0)
+      ++overlaps_[former * planes + plane];
+  }
+}
+
+void
+PlaneTracker::match()
+{
+  const auto planes = static_cast<std::uint32_t> (planes_.size());
+  matches_.clear();
+  for (std::uint32_t t = 0; t < tracks_.size(); ++t)
+    for (std::uint32_t p = 0; p < planes; ++p)
+      if (const auto pixels = overlaps_[t * planes + p]) {
+        const float score =
+            static_cast<float> (pixels) * similarity (tracks_[t].plane, planes_[p]);
+        if (score > 0.f)
+          matches_.push_back ({score, t, p});
+      }
+  std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
+    return a.score != b.score   ? a.score > b.score
+           : a.track != b.track ? a.track < b.track
+                                : a.plane < b.plane;
+  });
+
+  for (auto& track : tracks_)
+    ++track.missed;
+  track_of_plane_.assign (planes, none);
+  for (const auto& match : matches_)
+    if (tracks_[match.track].missed > 0 && track_of_plane_[match.plane] == none) {
+      track_of_plane_[match.plane] = match.track;
+      tracks_[match.track].missed = 0;
+    }
+  for (std::uint32_t p = 0; p < planes; ++p) {
+    if (track_of_plane_[p] == none)
+      track_of_plane_[p] = addTrack();
+    tracks_[track_of_plane_[p]].plane = planes_[p];
+  }
+}
+
+std::uint32_t
+PlaneTracker::addTrack()
+{
+  // One frame after the last pixel of a track was forgotten, its place is free.
+  const auto place =
+      std::find_if (tracks_.begin(), tracks_.end(), [] (const Track& track) {
+        return track.missed > max_missed + 1;
+      });
+  const auto index = static_cast<std::uint32_t> (place - tracks_.begin());
+  if (place == tracks_.end())
+    tracks_.emplace_back();
+  tracks_[index].id = next_id_++;
+  tracks_[index].missed = 0;
+  return index;
+}
+
+void
+PlaneTracker::remember (const PointCloud<Label>& labels)
+{
+  const auto forget = [this] (std::uint32_t& track) {
+    if (track != none && tracks_[track].missed > max_missed)
+      track = none;
+  };
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    auto& [track, former] = pixels_[i];
+    if (labels[i].label < planes_.size()) {
+      const auto now = track_of_plane_[labels[i].label];
+      if (now != track)
+        former = std::exchange (track, now);
+    }
+    forget (track);
+    forget (former);
+  }
+}
+
+} // namespace pcl

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "count_allocations.h"
+#include "synthetic_clouds.h"
+
+#include <pcl/segmentation/plane_tracker.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace {
+
+constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
+
+struct Image {
+  std::vector<pcl::ModelCoefficients> models;
+  pcl::PointCloud<pcl::Label> labels;
+};
+
+pcl::ModelCoefficients
+plane (float a, float b, float c, float d)
+{
+  pcl::ModelCoefficients model;
+  model.values = {a, b, c, d};
+  return model;
+}
+
+const auto wall = plane (0.f, 0.f, -1.f, 2.f);
+const auto ground = plane (0.f, -1.f, 0.f, 1.f);
+
+/** One row of pixels: a letter for each, 'a' for the first plane, '.' for none. */
+Image
+row (const std::vector<pcl::ModelCoefficients>& models, const std::string& pixels)
+{
+  Image image{models, {}};
+  image.labels.resize (static_cast<std::uint32_t> (pixels.size()), 1);
+  std::transform (
+      pixels.begin(), pixels.end(), image.labels.begin(), [] (const char letter) {
+        pcl::Label label;
+        label.label =
+            letter == '.' ? unlabelled : static_cast<std::uint32_t> (letter - 'a');
+        return label;
+      });
+  return image;
+}
+
+std::vector<std::uint32_t>
+track (pcl::PlaneTracker& tracker, const Image& image)
+{
+  std::vector<std::uint32_t> ids;
+  tracker.track (image.models, image.labels, ids);
+  return ids;
+}
+
+using Ids = std::vector<std::uint32_t>;
+
+} // namespace
+
+TEST (PlaneTracker, PlanesKeepTheirIdentityWhateverTheirOrder)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall, ground}, "aaaabbbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbbaaaa")), (Ids{1, 0}));
+  EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbaaaaa")), (Ids{1, 0}));
+}
+
+TEST (PlaneTracker, OtherNormalsAndDistancesAreOtherPlanes)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({ground}, "aaaa")), (Ids{1}));
+  EXPECT_EQ (track (tracker, row ({plane (0.f, -1.f, 0.f, 2.5f)}, "aaaa")), (Ids{2}));
+}
+
+TEST (PlaneTracker, TheLargestPartOfAPlaneKeepsItsIdentity)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaaaaaa")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({wall, wall}, "aaabbbbb")), (Ids{1, 0}));
+}
+
+TEST (PlaneTracker, APlaneThatWasPartOfAnotherOneIsRecognized)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall, wall}, "aaaaabbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaaaaaa")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({wall, wall}, "aaaaabbb")), (Ids{0, 1}));
+}
+
+TEST (PlaneTracker, HiddenPlanesAreRecognized)
+{
+  pcl::PlaneTracker tracker;
+  const auto side_of_a_box = plane (-1.f, 0.f, 0.f, 0.5f);
+  EXPECT_EQ (track (tracker, row ({wall, ground}, "aaaabbbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({ground, side_of_a_box}, "bbbbbaaa")), (Ids{1, 2}));
+  EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbbaaaa")), (Ids{1, 0}));
+}
+
+TEST (PlaneTracker, PlanesThatAreNotFoundAreRememberedFor15Frames)
+{
+  for (const int missing : {1, 15, 16, 40}) {
+    pcl::PlaneTracker tracker;
+    EXPECT_EQ (track (tracker, row ({wall, ground}, "aaaabbbb")), (Ids{0, 1}));
+    for (int i = 0; i < missing; ++i)
+      EXPECT_EQ (track (tracker, row ({ground}, "....aaaa")), (Ids{1}));
+    const std::uint32_t expected = missing <= 15 ? 0 : 2;
+    EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbbaaaa")), (Ids{1, expected}))
+        << missing << " frames";
+  }
+}
+
+TEST (PlaneTracker, IdentitiesAreNeverUsedAgain)
+{
+  pcl::PlaneTracker tracker;
+  std::uint32_t expected = 0;
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ (
+        track (tracker, row ({i % 2 ? wall : ground}, i % 4 < 2 ? "aa.." : "..aa")),
+        (Ids{i < 4 ? expected++ : static_cast<std::uint32_t> (i % 4)}));
+}
+
+TEST (PlaneTracker, FramesOfAnotherSizeAreScaled)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall, wall}, "aaaabbbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({wall, wall}, "bbaa")), (Ids{1, 0}));
+  EXPECT_EQ (track (tracker, row ({wall, wall}, "aaaaaaaabbbbbbbb")), (Ids{0, 1}));
+}
+
+TEST (PlaneTracker, FramesWithoutPlanesOrPixels)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, {}), Ids{});
+  EXPECT_EQ (track (tracker, row ({wall}, "aa")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({}, "..")), Ids{});
+  EXPECT_EQ (track (tracker, row ({wall}, "aa")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({wall, ground}, "aa")), (Ids{0, 1}))
+      << "a plane without pixels";
+}
+
+TEST (PlaneTracker, BadInputIsRefusedAndForgotten)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
+  Image image = row ({wall}, "aaaa");
+  image.models[0].values.pop_back();
+  EXPECT_EQ (track (tracker, image), Ids{});
+  image = row ({wall}, "");
+  EXPECT_EQ (track (tracker, image), Ids{});
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ (track (tracker, row ({plane (nan, nan, nan, nan)}, "aaaa")), (Ids{1}))
+      << "no plane is like it";
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
+}
+
+namespace {
+
+/** A corner of a room with boxes, seen by a camera that moves sideways and turns, 30 frames of
+ * a second; labels are those of the truth in an order that changes. */
+std::vector<Image>
+simulatedSequence ()
+{
+  const auto in_columns = [] (int from, int to) {
+    return [=] (int u, int v) { return u >= from && u < to && v > 40 && v < 90; };
+  };
+  std::vector<Image> sequence;
+  for (int k = 0; k < 30; ++k) {
+    const float t = static_cast<float> (k) / 30.f;
+    const int moved = 2 * k;
+    const Eigen::Matrix3f turn =
+        Eigen::AngleAxisf (0.3f * t, Eigen::Vector3f::UnitY()).toRotationMatrix();
+    const auto seen = [&] (const Eigen::Vector3f& normal, float d) {
+      return synthetic::Surface{turn * normal, d + 0.5f * t * normal.x()};
+    };
+    std::vector<synthetic::Surface> surfaces{seen ({0.f, 0.f, -1.f}, 4.f),
+                                             seen ({0.f, -1.f, 0.f}, 1.2f),
+                                             seen ({-0.8f, 0.f, -0.6f}, 2.4f),
+                                             seen ({0.f, 0.f, -1.f}, 2.f),
+                                             seen ({0.f, 0.f, -1.f}, 1.8f)};
+    surfaces[3].covers = in_columns (10 + moved, 40 + moved);
+    surfaces[4].covers = in_columns (50 + moved, 90 + moved);
+    const auto scene = synthetic::render (surfaces, 160, 120);
+    Image image;
+    image.labels.resize (160u, 120u);
+    const auto first = static_cast<std::size_t> (k) % surfaces.size();
+    for (std::size_t p = 0; p < surfaces.size(); ++p) {
+      const auto& surface = surfaces[(p + first) % surfaces.size()];
+      image.models.push_back (plane (
+          surface.normal.x(), surface.normal.y(), surface.normal.z(), surface.d));
+    }
+    for (std::size_t i = 0; i < scene.surface.size(); ++i)
+      image.labels[i].label = scene.surface[i] < 0
+                                  ? unlabelled
+                                  : static_cast<std::uint32_t> (
+                                        (static_cast<std::size_t> (scene.surface[i]) +
+                                         surfaces.size() - first) %
+                                        surfaces.size());
+    sequence.push_back (image);
+  }
+  return sequence;
+}
+
+} // namespace
+
+TEST (PlaneTracker, SurfacesKeepTheirIdentityWhileTheCameraMoves)
+{
+  pcl::PlaneTracker tracker;
+  const auto sequence = simulatedSequence();
+  for (std::size_t k = 0; k < sequence.size(); ++k) {
+    const auto ids = track (tracker, sequence[k]);
+    ASSERT_EQ (ids.size(), 5u);
+    for (std::size_t p = 0; p < ids.size(); ++p)
+      EXPECT_EQ (ids[p], (p + k) % 5) << "frame " << k;
+  }
+}
+
+TEST (PlaneTracker, NoAllocationsForFramesLikeThoseBefore)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "allocations are not counted together with the address sanitizer";
+#endif
+  pcl::PlaneTracker tracker;
+  const auto sequence = simulatedSequence();
+  Ids ids;
+  for (const int round : {0, 1, 2})
+    for (const auto& image : sequence) {
+      const std::size_t before = allocations;
+      tracker.track (image.models, image.labels, ids);
+      if (round == 0 && &image == &sequence.front()) {
+        EXPECT_GT (allocations, before) << "the counter sees nothing";
+      }
+      if (round == 2) {
+        EXPECT_EQ (allocations, before);
+      }
+    }
+}
