@@ -2,7 +2,9 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/frame_slot.h>
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/live_grabber.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/simulation/simulate.h>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -111,17 +114,16 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   if (startsWith (input, simulated))
     addSimulated (input.substr (sizeof (simulated) - 1));
   else if (startsWith (input, live))
-    throw AppError (input +
-                    ": live cameras are not supported; record .pcd files and give "
-                    "their folder");
+    addLive (input.substr (sizeof (live) - 1));
   else if (fs::is_directory (input))
     addFolder (input);
   else if (fs::exists (input))
     addFile (input);
   else
-    throw AppError (input +
-                    ": no such file or folder; INPUT is a .pcd file, a depth .png, "
-                    "a folder of either, a TUM RGB-D folder or sim:SCENE[:SEED]");
+    throw AppError (
+        input +
+        ": no such file or folder; INPUT is a .pcd file, a depth .png, "
+        "a folder of either, a TUM RGB-D folder, sim:SCENE[:SEED] or live:[DEVICE]");
 
   std::set<std::string> names;
   for (const auto& frame : frames_)
@@ -179,6 +181,32 @@ FrameSource::addSimulated (const std::string& scene_and_seed)
 }
 
 void
+FrameSource::addLive (const std::string& device)
+{
+  refuseDepthOptions (options_, options_.input);
+  struct Feed {
+    FrameSlot slot;
+    std::unique_ptr<pcl::Grabber> grabber;
+  };
+  const auto camera = std::make_shared<Feed>();
+  camera->grabber = openLiveGrabber (device);
+  camera->slot.connect (*camera->grabber);
+  camera->grabber->start();
+  const auto read = [camera, input = options_.input] (Frame& frame) {
+    constexpr std::chrono::seconds patience (5);
+    const auto newest = camera->slot.take (patience);
+    if (!newest)
+      throw AppError (input +
+                      ": no frame came for 5 s; check the camera or the recording");
+    frame.cloud = newest->cloud;
+  };
+  constexpr auto all = std::numeric_limits<std::size_t>::max();
+  const std::size_t frames = options_.max_frames == all ? 1 : options_.max_frames;
+  for (std::size_t i = 1; i <= frames; ++i)
+    frames_.push_back ({"live_" + std::to_string (i), read});
+}
+
+void
 FrameSource::addFolder (const fs::path& folder)
 {
   if (fs::exists (folder / "depth.txt"))
@@ -202,7 +230,7 @@ FrameSource::addTumFolder (const fs::path& folder)
   const fs::path list = folder / "depth.txt";
   std::ifstream stream (list);
   bool freiburg3 = false;
-  std::vector<fs::path> files;
+  std::vector<std::pair<double, fs::path>> files;
   std::string line, timestamp, file;
   for (int number = 1; std::getline (stream, line); ++number) {
     std::istringstream words (line);
@@ -211,7 +239,11 @@ FrameSource::addTumFolder (const fs::path& folder)
     if (timestamp[0] == '#')
       freiburg3 = freiburg3 || line.find ("freiburg3") != std::string::npos;
     else if (words >> file)
-      files.push_back (folder / file);
+      files.emplace_back (parseNumber<double> (list.string() + ": line " +
+                                                   std::to_string (number) +
+                                                   ": the timestamp",
+                                               timestamp),
+                          folder / file);
     else
       throw AppError (list.string() + ": line " + std::to_string (number) +
                       " is not 'timestamp filename'");
@@ -225,10 +257,12 @@ FrameSource::addTumFolder (const fs::path& folder)
   const DepthCamera camera{options_.intrinsics.value_or (tum_camera),
                            options_.units_per_metre.value_or (5000.f),
                            !options_.intrinsics};
-  for (const auto& path : files)
-    frames_.push_back ({path.stem(), [=] (Frame& frame) {
+  for (const auto& [time, path] : files)
+    frames_.push_back ({path.stem(),
+                        [path = path, camera] (Frame& frame) {
                           frame.cloud = readDepthImage (path, camera);
-                        }});
+                        },
+                        time});
 }
 
 void

@@ -69,7 +69,11 @@ const char input_help[] =
     "  FOLDER               of a TUM RGB-D recording (it has a depth.txt)\n"
     "  sim:SCENE[:SEED]     a simulated frame, such as sim:table_single; SEED is 1 or "
     "what "
-    "you say\n";
+    "you say\n"
+    "  live:[DEVICE]        a camera that OpenNI 2 knows: any, #2 for the second, its "
+    "URI, "
+    "or a\n"
+    "                       recording FILE.oni\n";
 
 po::options_description
 inputOptionsDescription ()
@@ -85,7 +89,9 @@ inputOptionsDescription ()
       "resolution",
       po::value<std::string>()->value_name ("vga|qvga|qqvga")->default_value ("vga"),
       "take every 1st, 2nd or 4th pixel") (
-      "frames", po::value<std::string>()->value_name ("N"), "stop after N frames");
+      "frames",
+      po::value<std::string>()->value_name ("N"),
+      "stop after N frames; a live camera gives one unless told otherwise");
   return description;
 }
 

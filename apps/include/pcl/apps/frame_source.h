@@ -25,7 +25,8 @@ namespace rgbd_planes {
 /** \brief What the user said about the input of an application. */
 struct InputOptions {
   /** A .pcd file, a folder of them, a 16-bit depth .png, a folder of them, a TUM RGB-D
-   * folder (it has a depth.txt), or sim:SCENE[:SEED]. */
+   * folder (it has a depth.txt), sim:SCENE[:SEED], or live:[DEVICE], see
+   * openLiveGrabber(). */
   std::string input;
   /** Needed for depth images, but for TUM RGB-D folders with frames of 640 x 480. */
   std::optional<Intrinsics> intrinsics;
@@ -34,6 +35,7 @@ struct InputOptions {
   std::optional<float> units_per_metre;
   /** Every step-th pixel is taken: from VGA, 1 gives VGA, 2 QVGA and 4 QQVGA. */
   std::uint32_t step = 1;
+  /** A live camera gives one frame, unless this says how many. */
   std::size_t max_frames = std::numeric_limits<std::size_t>::max();
 };
 
@@ -74,15 +76,26 @@ public:
   Frame
   read (std::size_t i) const;
 
+  /** \brief When frame \a i was recorded, seconds; only TUM RGB-D folders know. */
+  std::optional<double>
+  time (std::size_t i) const
+  {
+    return frames_[i].time;
+  }
+
 private:
   struct StoredFrame {
     std::string name;
     /** Fills in all but the name. */
     std::function<void (Frame&)> read;
+    std::optional<double> time = std::nullopt;
   };
 
   void
   addSimulated (const std::string& scene_and_seed);
+
+  void
+  addLive (const std::string& device);
 
   void
   addFolder (const std::filesystem::path& folder);
