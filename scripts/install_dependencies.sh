@@ -9,7 +9,6 @@ packages=(
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
   clang-format-14 python3 doxygen
-  gnuplot-nox # plots of scripts/benchmark.sh
 )
 
 missing=()
