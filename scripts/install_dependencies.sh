@@ -10,7 +10,6 @@ packages=(
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz
   clang-format-14 python3 doxygen
-  gnuplot-nox # plots of scripts/benchmark.sh
 )
 
 missing=()
