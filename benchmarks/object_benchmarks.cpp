@@ -3,6 +3,7 @@
 
 #include "benchmarks.h"
 
+#include <pcl/apps/detection_pipeline.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/object_methods.h>
 
@@ -28,6 +29,36 @@ findObjects (benchmark::State& state,
   });
 }
 
+/** Normals, planes, objects and obstacles. */
+void
+runPipeline (benchmark::State& state,
+             const Clouds& clouds,
+             const BaseTransforms& camera_to_base)
+{
+  DetectionPipeline pipeline;
+  std::size_t frame = 0; // the clouds come in turn
+  measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
+    pipeline.findPlanes (cloud, camera_to_base[frame++ % clouds.size()]);
+    pipeline.findObjects();
+    pipeline.findObstacles();
+  });
+}
+
+/** Obstacles alone, of planes that are known. */
+void
+findObstacles (benchmark::State& state,
+               const Clouds& clouds,
+               const BaseTransforms& camera_to_base)
+{
+  std::vector<DetectionPipeline> pipelines (clouds.size());
+  for (std::size_t i = 0; i < clouds.size(); ++i)
+    pipelines[i].findPlanes (clouds[i], camera_to_base[i]);
+  std::size_t frame = 0; // the clouds come in turn
+  measure (state, clouds, [&] (const Cloud::ConstPtr&) {
+    pipelines[frame++ % clouds.size()].findObstacles();
+  });
+}
+
 } // namespace
 
 void
@@ -35,13 +66,22 @@ registerObjectBenchmarks (const Clouds& frames, const BaseTransforms& camera_to_
 {
   auto methods = objectMethods();
   methods.push_back (lccpMethod());
-  for (const std::uint32_t step : {1u, 2u, 4u})
+  for (const std::uint32_t step : {1u, 2u, 4u}) {
+    addBenchmark ("pipeline/all/" + resolutionName (step),
+                  [=] (benchmark::State& state) {
+                    runPipeline (state, subsample (frames, step), camera_to_base);
+                  });
+    addBenchmark ("obstacles/detection/" + resolutionName (step),
+                  [=] (benchmark::State& state) {
+                    findObstacles (state, subsample (frames, step), camera_to_base);
+                  });
     for (const auto& method : methods)
       addBenchmark ("objects/" + method.name + '/' + resolutionName (step),
                     [=] (benchmark::State& state) {
                       findObjects (
                           state, subsample (frames, step), camera_to_base, method);
                     });
+  }
 }
 
 } // namespace rgbd_planes

@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t min_points = 50;
 constexpr float max_range_m = 3.5f;
 constexpr float min_height_m = 0.01f;
+constexpr float max_height_m = 0.3f;
 constexpr float apart_m = 0.02f;
 
 /** The measured points of a true object. */
@@ -34,7 +35,8 @@ struct Region {
   {
     const auto points = static_cast<float> (positions.size());
     return positions.size() >= min_points && (sum / points).norm() <= max_range_m &&
-           (!size || size->size.z() >= min_height_m);
+           (!size ||
+            (size->size.z() >= min_height_m && size->size.z() <= max_height_m));
   }
 };
 

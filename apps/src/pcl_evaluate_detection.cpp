@@ -23,7 +23,7 @@ const char usage[] =
 Compares detected objects and obstacles with true ones where the input is simulated, and
 objects where it is a .pcd file with labels of objects (field label, as in mOSD). All
 frames of all inputs count together; without --resolution, each of the three is tried.
-An object counts from 50 points and 1 cm of height on, within 3.5 m, and is found when
+An object counts from 50 points on, when it is 1 to 30 cm high, within 3.5 m, and is found when
 the points of one cluster and its own have an intersection over union of 0.5; it stands
 apart when no other is within 2 cm. False is a cluster with less than half of its points
 on any object. Obstacles count from the larger of 1 cm and three standard deviations of

@@ -22,6 +22,9 @@ constexpr float window_sigmas = 2.75f;
 /** Below the floor: real sensors also measure far depth too long, which bends floors
  * downwards by more than their noise. */
 constexpr float drop_sigmas = 8.f;
+/** Where a plane that differs begins, noise alone decides which points are on it: samples
+ * of it are higher than that above the floor. */
+constexpr float sample_sigmas = 1.f;
 /** Of the 9 of a window. */
 constexpr int enough_samples = 5;
 
@@ -164,8 +167,11 @@ ObstaclePoints::sampleRow (const ObstacleFrame& frame,
                            Cell* cells) const
 {
   for (int u = 0; u < width_; u += cell_size_)
-    if (row_.result[u] == static_cast<int> (ObstacleClass::floor))
-      cells[u / cell_size_].differ = isOtherSurface (frame, first + u, row_.height[u]);
+    if (row_.result[u] == static_cast<int> (ObstacleClass::floor)) {
+      const float noise = sample_sigmas * std::sqrt (row_.variance[u]);
+      cells[u / cell_size_].differ =
+          isOtherSurface (frame, first + u, row_.height[u] - noise);
+    }
 }
 
 bool

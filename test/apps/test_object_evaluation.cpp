@@ -110,12 +110,17 @@ TEST_F (ObjectEvaluationTest, ObjectsThatAreNotAskedFor)
   EXPECT_EQ (result.false_objects, 0u);
 }
 
-TEST_F (ObjectEvaluationTest, LowObjectsAreNotAskedFor)
+TEST_F (ObjectEvaluationTest, LowAndHighObjectsAreNotAskedFor)
 {
   truth_.objects = {{1, TrueObject::Shape::box, {0.1f, 0.1f, 0.009f}}};
   EXPECT_EQ (evaluate().apart.objects, 0u);
   truth_.objects[0].size.z() = 0.0101f;
   EXPECT_EQ (evaluate().apart.objects, 1u);
+  truth_.objects[0].size.z() = 0.299f;
+  EXPECT_EQ (evaluate().apart.objects, 1u);
+  truth_.objects[0].size.z() = 0.31f;
+  EXPECT_EQ (evaluate().apart.objects, 0u);
+  EXPECT_EQ (evaluate().false_objects, 0u);
 }
 
 TEST_F (ObjectEvaluationTest, SizesAndGraspability)

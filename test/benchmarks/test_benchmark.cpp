@@ -53,7 +53,9 @@ TEST_F (Benchmark, HasTheNamesThatOthersRelyOn)
                                    "planes/pcl_omps",
                                    "objects/supported",
                                    "objects/supported_split",
-                                   "objects/pcl_lccp"})
+                                   "objects/pcl_lccp",
+                                   "obstacles/detection",
+                                   "pipeline/all"})
     for (const std::string resolution : {"/vga", "/qvga", "/qqvga"})
       EXPECT_EQ (all.count (method + resolution), 1u) << method << resolution;
   for (const std::string method :

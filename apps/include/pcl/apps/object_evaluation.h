@@ -46,8 +46,8 @@ struct ObjectCounts {
 /** \brief How well found objects match true ones, pooled over frames.
  *
  * Objects are asked for when they have at least 50 measured points, their centre is within
- * 3.5 m of the camera, and they are at least 1 cm high where this is known (Holz et al. 2011,
- * sections 5.1 and 6). A found object is false when less than half of its points lie on any
+ * 3.5 m of the camera, and they are 1 to 30 cm high where this is known: what is higher is no
+ * object but an obstacle (Holz et al. 2011, sections 5.1 and 6). A found object is false when less than half of its points lie on any
  * object, asked for or not.
  */
 class ObjectEvaluation {

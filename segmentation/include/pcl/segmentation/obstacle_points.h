@@ -105,6 +105,8 @@ private:
              int cell_v,
              std::vector<ObstacleClass>& classes) const;
 
+  /** Whether a point has another normal than the floor, or its plane differs and
+   * \a height is positive. */
   bool
   isOtherSurface (const ObstacleFrame& frame, std::size_t point, float height) const;
 
