@@ -159,7 +159,7 @@ TEST (FrameSource, WrongInputsAreRefused)
                          "did you mean " + (folder / "depth").string()));
   writeFile (folder / "cloud.ply", "ply");
   EXPECT_TRUE (contains (messageOf (inputOf (folder / "cloud.ply")), "neither"));
-  EXPECT_TRUE (contains (messageOf (inputOf ("live:")), "not supported"));
+  EXPECT_TRUE (contains (messageOf (inputOf ("live:none.oni")), "no such file"));
 }
 
 TEST (FrameSource, BrokenFileInFolderIsAnError)

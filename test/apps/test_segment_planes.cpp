@@ -251,7 +251,7 @@ TEST_F (SegmentPlanes, BadInputIsRefused)
   expectRefused ("sim:nowhere" + output,
                  "unknown scene 'nowhere'; known are table_single");
   expectRefused ("sim:table_single:x" + output, "seed");
-  expectRefused ("live:" + output, "not supported");
+  expectRefused ("live:none.oni" + output, "no such file");
   writeFile (folder_ / "part.png", readFile (folder_ / "walls.png").substr (0, 100));
   expectRefused ("part.png" + output + camera_, "part.png: the PNG file is incomplete");
   writeFile (folder_ / "empty.pcd", "");
