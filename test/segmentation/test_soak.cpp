@@ -189,5 +189,7 @@ TEST (Soak, ManyFramesOfChangingSizes)
   }
   std::cout << rounds * scenes.size() << " frames; " << at_start
             << " bytes after the first 100, " << most << " bytes at most thereafter\n";
-  EXPECT_LE (most, at_start);
+  // The free lists of malloc, which differ by thread, count as well: some hundred bytes. The
+  // smallest block that a frame could leave behind has 32.
+  EXPECT_LT (most, at_start + (rounds - rounds_of_start) * scenes.size());
 }
