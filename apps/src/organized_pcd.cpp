@@ -57,11 +57,12 @@ std::string
 readBytes (const std::string& file)
 {
   std::error_code error;
-  std::string bytes (std::filesystem::file_size (file, error), '\0');
+  const auto size = std::filesystem::file_size (file, error);
   std::ifstream stream (file, std::ios::binary);
   if (error || !stream)
     throw AppError (file + ": cannot open this file: " +
                     (error ? error.message() : std::strerror (errno)));
+  std::string bytes (size, '\0');
   stream.read (bytes.data(), static_cast<std::streamsize> (bytes.size()));
   bytes.resize (static_cast<std::size_t> (stream.gcount()));
   return bytes;
@@ -121,7 +122,8 @@ readHeader (const std::string& bytes, const std::string& file)
   catch (const std::exception&) {
     // Words that are no numbers, numbers of no sense: the same to the user.
   }
-  if (result < 0 || header.data_begin == 0 || header.cloud.fields.empty())
+  if (result < 0 || header.data_begin == 0 || header.data_begin > bytes.size() ||
+      header.cloud.fields.empty())
     throw AppError (file +
                     ": not a PCD file, or its header is damaged; give a .pcd file");
   return header;
