@@ -9,10 +9,11 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfigVers
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfig.cmake
               ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfigVersion.cmake
-        DESTINATION ${config_dir})
-install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${config_dir})
+        DESTINATION ${config_dir} COMPONENT development)
+install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${config_dir}
+        COMPONENT development)
 
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/pcl_rgbd_planes.pc.in ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

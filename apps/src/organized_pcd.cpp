@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/point_labels.h>
+#include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/io/pcd_io.h>
@@ -68,30 +69,45 @@ readBytes (const std::string& file)
   return bytes;
 }
 
-/** Whether \a bytes can hold as many values as their header says, for which PCDReader takes
- * memory first. Each byte of compressed data stands for 88 at most. */
-bool
-canHoldPoints (const std::string& bytes)
+/** The lines up to DATA; PCDReader would read on. */
+std::string
+headerLines (const std::string& bytes)
 {
-  std::istringstream lines (bytes);
-  double largest = 0., sizes = 0., counts = 0., points = 0.;
-  std::string line, key;
-  while (std::getline (lines, line) && key.rfind ("DATA", 0) != 0) {
+  const std::size_t data =
+      bytes.compare (0, 4, "DATA") == 0 ? 0 : bytes.find ("\nDATA");
+  const std::size_t end =
+      bytes.find ('\n', data == std::string::npos ? data : data + 1);
+  return bytes.substr (0, end == std::string::npos ? end : end + 1);
+}
+
+/** How many bytes PCDReader takes for the points that a header speaks of. */
+double
+declaredBytes (const std::string& header)
+{
+  std::istringstream lines (header);
+  // Fields are floats, one value each, until the header says otherwise.
+  double largest = sizeof (float), fields = 0., values = 0., points = 0.;
+  for (std::string line, key; std::getline (lines, line);) {
     std::istringstream words (line);
     words >> key;
+    const auto startsWith = [&] (const char* start) {
+      return key.rfind (start, 0) == 0;
+    };
+    if (startsWith ("FIELDS") || startsWith ("COLUMNS"))
+      for (std::string name; words >> name;)
+        fields += 1.;
     for (double number; words >> number;) {
-      if (number < 0.)
-        return false;
-      if (key.rfind ("SIZE", 0) == 0)
-        largest = std::max (largest, number), sizes += 1.;
-      else if (key.rfind ("COUNT", 0) == 0)
-        counts += number;
-      else if (key.rfind ("POINTS", 0) == 0)
+      if (number < 0.) // which becomes a large one without a sign
+        number += 4294967296.;
+      if (startsWith ("SIZE"))
+        largest = std::max (largest, number);
+      else if (startsWith ("COUNT"))
+        values += number;
+      else if (startsWith ("POINTS"))
         points = std::max (points, number);
     }
   }
-  return points * largest * std::max (sizes, counts) <=
-         100. * static_cast<double> (bytes.size());
+  return points * largest * std::max (fields, values);
 }
 
 struct Header {
@@ -108,7 +124,11 @@ Header
 readHeader (const std::string& bytes, const std::string& file)
 {
   Header header;
-  std::istringstream stream (bytes);
+  const std::string lines = headerLines (bytes);
+  // Each byte of compressed data stands for 88 at most.
+  if (declaredBytes (lines) > 100. * static_cast<double> (bytes.size()))
+    throw damaged (file);
+  std::istringstream stream (lines);
   int result = -1;
   try {
     result = pcl::PCDReader().readHeader (stream,
@@ -129,12 +149,25 @@ readHeader (const std::string& bytes, const std::string& file)
   return header;
 }
 
+/** Whether the values of each field lie inside of their point. */
+bool
+fieldsFit (const pcl::PCLPointCloud2& cloud)
+{
+  return std::all_of (
+      cloud.fields.begin(), cloud.fields.end(), [&] (const auto& field) {
+        const auto size =
+            static_cast<std::uint64_t> (pcl::getFieldSize (field.datatype));
+        return size > 0 && field.offset + size * field.count <= cloud.point_step;
+      });
+}
+
 /** PCDReader trusts the sizes in the header, and those in front of compressed data. */
 bool
 isComplete (const std::string& bytes, const Header& header)
 {
   const auto& cloud = header.cloud;
-  if (cloud.data.size() != std::uint64_t{cloud.width} * cloud.height * cloud.point_step)
+  if (!fieldsFit (cloud) ||
+      cloud.data.size() != std::uint64_t{cloud.width} * cloud.height * cloud.point_step)
     return false;
   const std::size_t body = bytes.size() - header.data_begin;
   if (header.data_type != 2)
@@ -188,8 +221,6 @@ Header
 readFile (const std::string& file)
 {
   const std::string bytes = readBytes (file);
-  if (!canHoldPoints (bytes))
-    throw damaged (file);
   Header header = readHeader (bytes, file);
   checkHeader (header.cloud, file);
   if (!isComplete (bytes, header) || !readBody (bytes, header))

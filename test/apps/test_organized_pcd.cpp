@@ -166,6 +166,20 @@ TEST (OrganizedPcd, NoMemoryIsTakenForPointsThatTheFileCannotHold)
   }
 }
 
+TEST (OrganizedPcd, ViewpointsMayBeNegativeAndFieldsWithoutSizes)
+{
+  const TemporaryFolder folder;
+  std::string text = asciiPcd ("x y z", 2, 2, "1 1 1\n2 2 2\n3 3 3\n4 4 4\n");
+  const auto viewpoint = text.find ("POINTS");
+  text.insert (viewpoint, "VIEWPOINT -1 -2 -3 -1 0 0 0\n");
+  writeFile (folder / "viewpoint.pcd", text);
+  EXPECT_EQ (readOrganizedPcd (folder / "viewpoint.pcd")->sensor_origin_[2], -3.f);
+  writeFile (folder / "sizes.pcd",
+             "VERSION .7\nFIELDS x y z\nWIDTH 65535\nHEIGHT 65536\n"
+             "POINTS 4294901760\nDATA ascii\n");
+  EXPECT_NE (messageOf (folder / "sizes.pcd").find ("damaged"), std::string::npos);
+}
+
 TEST (OrganizedPcd, EveryTruncationIsRefused)
 {
   const TemporaryFolder folder;
