@@ -16,6 +16,8 @@ function(pcl_rgbd_planes_add_module name)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_definitions(${target} PRIVATE
+    $<$<BOOL:${PCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES}>:PCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES>)
   target_link_libraries(${target} PUBLIC ${arg_LINK}
                         PRIVATE $<BUILD_INTERFACE:pcl_rgbd_planes_warnings>)
   set_target_properties(${target} PROPERTIES

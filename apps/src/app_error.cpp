@@ -12,15 +12,21 @@
 namespace pcl {
 namespace rgbd_planes {
 
+void
+flushOutput ()
+{
+  if (!std::cout.flush())
+    throw AppError ("cannot write to standard output");
+}
+
 int
 runApp (const std::string& name, const std::function<void()>& body)
 {
   std::string message;
   try {
     body();
-    if (std::cout.flush())
-      return 0;
-    message = "cannot write to standard output";
+    flushOutput();
+    return 0;
   }
   catch (const std::bad_alloc&) {
     message = "not enough memory for this input";

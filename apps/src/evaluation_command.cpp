@@ -75,11 +75,10 @@ runEvaluation (const EvaluationCommand& command,
         stopIfInterrupted();
       }
   }
-  std::cout << table();
   if (command.json)
     files.write (*command.json, json());
-  if (!std::cout.flush())
-    throw AppError ("cannot write to standard output");
+  std::cout << table();
+  flushOutput();
   files.commit();
 }
 

@@ -20,6 +20,8 @@ catchInterruption ()
 {
   for (const int signal : {SIGINT, SIGTERM})
     std::signal (signal, [] (int) { interrupted = 1; });
+  for (const int signal : {SIGPIPE, SIGXFSZ})
+    std::signal (signal, SIG_IGN);
 }
 
 void

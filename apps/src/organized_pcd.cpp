@@ -57,16 +57,12 @@ findField (const pcl::PCLPointCloud2& blob, const std::string& name)
 std::string
 readBytes (const std::string& file)
 {
-  std::error_code error;
-  const auto size = std::filesystem::file_size (file, error);
   std::ifstream stream (file, std::ios::binary);
-  if (error || !stream)
-    throw AppError (file + ": cannot open this file: " +
-                    (error ? error.message() : std::strerror (errno)));
-  std::string bytes (size, '\0');
-  stream.read (bytes.data(), static_cast<std::streamsize> (bytes.size()));
-  bytes.resize (static_cast<std::size_t> (stream.gcount()));
-  return bytes;
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  if (!stream || bytes.bad())
+    throw AppError (file + ": cannot read this file: " + std::strerror (errno));
+  return bytes.str();
 }
 
 /** The lines up to DATA; PCDReader would read on. */

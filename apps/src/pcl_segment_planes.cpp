@@ -191,8 +191,7 @@ segmentPlanes (int argc, char** argv)
       printObstacles (std::cout, summary);
   }
   printStageTimes (std::cout, summaries);
-  if (!std::cout.flush())
-    throw AppError ("cannot write to standard output");
+  flushOutput();
   files.commit();
 }
 

@@ -137,13 +137,14 @@ simulateRgbd (int argc, char** argv)
   const auto options = readOptions (argc, argv);
   if (!options)
     return;
-  const auto frame = simulate (options->scene, options->seed, options->sensor);
-  const auto cloud = subsample (*frame.cloud, options->step);
-  const auto truth = subsample (*frame.truth, options->step);
-
   catchInterruption();
   OutputFiles files;
+  // An unwritable place is known before the work is done.
   files.createFolder (options->output);
+  const auto frame = simulate (options->scene, options->seed, options->sensor);
+  stopIfInterrupted();
+  const auto cloud = subsample (*frame.cloud, options->step);
+  const auto truth = subsample (*frame.truth, options->step);
   const auto write = [&] (const char* ending, const std::string& contents) {
     files.write (options->output / (options->name + ending), contents);
   };
@@ -153,9 +154,10 @@ simulateRgbd (int argc, char** argv)
   write ("_depth.png", encodePng (depthPicture (cloud)));
   write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));
   stopIfInterrupted();
-  files.commit();
   std::cout << "Wrote " << (options->output / options->name).string()
             << ".pcd, _truth.pcd, _colour.png, _depth.png and _planes.png\n";
+  flushOutput();
+  files.commit();
 }
 
 } // namespace

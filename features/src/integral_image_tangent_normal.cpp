@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/features/impl/instantiate.hpp>
 #include <pcl/features/impl/integral_image_tangent_normal.hpp>
-#include <pcl/impl/instantiate.hpp>
 
-PCL_INSTANTIATE_PRODUCT (IntegralImageTangentNormalEstimation,
-                         (PCL_XYZ_POINT_TYPES)(PCL_NORMAL_POINT_TYPES))
+PCL_INSTANTIATE_PRODUCT (
+    IntegralImageTangentNormalEstimation,
+    (PCL_RGBD_PLANES_XYZ_POINT_TYPES)(PCL_RGBD_PLANES_NORMAL_POINT_TYPES))

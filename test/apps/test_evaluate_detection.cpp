@@ -80,17 +80,6 @@ TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
   EXPECT_GT (rows[0]["rate_hz"], 0.);
 }
 
-TEST_F (EvaluateDetection, InterruptionLeavesNothing)
-{
-  const Outcome result =
-      shell (application_ + " sim:table_single --json table.json & pid=$!; "
-                            "until ls .table.json.* 2>/dev/null >&2; do :; done; "
-                            "kill -INT $pid; wait $pid");
-  EXPECT_EQ (result.code, 1);
-  EXPECT_EQ (result.err, name_ + ": interrupted; nothing was written\n");
-  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{});
-}
-
 TEST_F (EvaluateDetection, BadUsage)
 {
   expectRefused ("", "INPUT");

@@ -317,51 +317,6 @@ TEST_F (SegmentPlanes, UnwritablePlacesAreRefused)
   expectRefused ("in --output in/../in" + camera_, "is the INPUT folder");
 }
 
-TEST_F (SegmentPlanes, FullDiskLeavesNothing)
-{
-  // Files may grow to 1 KiB only, and the signal that tells so is ignored.
-  expectRefused ("sim:table_single --output out",
-                 "cannot write",
-                 "trap '' XFSZ && ulimit -f 1 &&");
-}
-
-TEST_F (SegmentPlanes, FullStandardOutputIsAnError)
-{
-  writeTwoWalls ("walls.png");
-  const Outcome result = run ("walls.png --output out" + camera_ + ">/dev/full");
-  EXPECT_EQ (result.code, 1);
-  EXPECT_EQ (result.err, "pcl_segment_planes: cannot write to standard output\n");
-  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"walls.png"});
-}
-
-TEST_F (SegmentPlanes, InterruptionLeavesNothing)
-{
-  std::filesystem::create_directory (folder_ / "in");
-  for (int i = 0; i < 500; ++i)
-    writeTwoWalls ("in/" + std::to_string (i) + ".png");
-  const Outcome result = shell (application_ + " in --output out" + camera_ +
-                                "& pid=$!; until [ -e out ]; do :; done; "
-                                "kill -INT $pid; wait $pid");
-  EXPECT_EQ (result.code, 1);
-  EXPECT_EQ (result.err, "pcl_segment_planes: interrupted; nothing was written\n");
-  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
-}
-
-TEST_F (SegmentPlanes, FrameThatVanishesLeavesNothing)
-{
-  std::filesystem::create_directory (folder_ / "in");
-  for (int i = 0; i < 500; ++i)
-    writeTwoWalls ("in/" + std::to_string (i) + ".png");
-  const Outcome result = shell (application_ + " in --output out" + camera_ +
-                                "& pid=$!; until [ -e out ]; do :; done; "
-                                "rm in/499.png; wait $pid");
-  EXPECT_EQ (result.code, 1);
-  EXPECT_EQ (result.err,
-             "pcl_segment_planes: in/499.png: cannot open this file: No such file or "
-             "directory\n");
-  EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{"in"});
-}
-
 TEST_F (SegmentPlanes, HelpIsNoError)
 {
   const Outcome result = run ("--help");

@@ -16,6 +16,11 @@ class AppError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/** \brief Throws AppError where standard output did not take all that was printed. To be
+ * called before files are committed. */
+void
+flushOutput ();
+
 /** \brief Runs the body of an application.
  * \param[in] name of the application, put before the message of an error
  * \return the exit code: 0, or 1 after an exception, which is told in one line on

@@ -7,7 +7,8 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief From now on, SIGINT (Ctrl-C) and SIGTERM do not end the program, but are found by
- * stopIfInterrupted(), so that temporary files go. To be called before the first of them is
+ * stopIfInterrupted(), and those of a full quota (SIGXFSZ) or a reader that has ended (SIGPIPE)
+ * become errors of writing: temporary files go. To be called before the first of them is
  * written. */
 void
 catchInterruption ();
