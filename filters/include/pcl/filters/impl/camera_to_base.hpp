@@ -81,14 +81,17 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
   const Eigen::Matrix3f rotation = transform_.linear();
   const Eigen::Vector3f translation = transform_.translation();
   for (auto& point : output) {
+    Eigen::Map<Eigen::Vector3f> xyz (&point.x);
     if (rgbd_planes::isMeasured (&point.x))
-      point.getVector3fMap() = (rotation * point.getVector3fMap() + translation).eval();
+      xyz = (rotation * xyz + translation).eval();
     else {
-      point.getVector3fMap().setConstant (std::numeric_limits<float>::quiet_NaN());
+      xyz.setConstant (std::numeric_limits<float>::quiet_NaN());
       output.is_dense = false;
     }
-    if constexpr (traits::has_normal<PointT>::value)
-      point.getNormalVector3fMap() = (rotation * point.getNormalVector3fMap()).eval();
+    if constexpr (traits::has_normal<PointT>::value) {
+      Eigen::Map<Eigen::Vector3f> normal (&point.normal_x);
+      normal = (rotation * normal).eval();
+    }
   }
 }
 

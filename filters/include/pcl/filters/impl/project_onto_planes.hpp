@@ -97,7 +97,8 @@ void
 ProjectOntoPlanes<PointT>::project (const Eigen::Vector4f& plane, PointT& point) const
 {
   const Eigen::Vector3f normal = plane.head<3>();
-  const Eigen::Vector3f p = point.getVector3fMap();
+  Eigen::Map<Eigen::Vector3f> xyz (&point.x);
+  const Eigen::Vector3f p = xyz;
   const float along_normal = normal.dot (p);
   const float distance = along_normal + plane[3];
   if (!std::isfinite (distance))
@@ -106,9 +107,9 @@ ProjectOntoPlanes<PointT>::project (const Eigen::Vector4f& plane, PointT& point)
   const float scale = -plane[3] / along_normal;
   const bool is_steep = std::abs (along_normal) * max_ray_factor_ >= p.norm();
   if (direction_ == Direction::viewing_ray && is_steep && scale > 0.f)
-    point.getVector3fMap() = scale * p;
+    xyz = scale * p;
   else
-    point.getVector3fMap() = p - distance * normal;
+    xyz = p - distance * normal;
 }
 
 } // namespace pcl

@@ -218,7 +218,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillContour (
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     contour[i] = (*input_)[boundary[i]];
     if (project_points_) {
-      auto xyz = contour[i].getVector3fMap();
+      Eigen::Map<Eigen::Vector3f> xyz (&contour[i].x);
       xyz -= plane.distance (xyz.data()) * plane.normal;
     }
   }

@@ -4,16 +4,9 @@
 // Point types that the libraries are not instantiated for.
 #define PCL_NO_PRECOMPILE
 
-#include "floor_scene.h"
+#include "numbers_of_all_classes.h"
 
-#include <pcl/common/io.h>
-#include <pcl/filters/camera_to_base.h>
-#include <pcl/filters/obstacle_filter.h>
-#include <pcl/filters/project_onto_planes.h>
 #include <pcl/register_point_struct.h>
-#include <pcl/segmentation/obstacle_detection.h>
-
-#include <gtest/gtest.h>
 
 struct EIGEN_ALIGN16 WarmPoint {
   PCL_ADD_POINT4D
@@ -23,6 +16,43 @@ struct EIGEN_ALIGN16 WarmPoint {
 POINT_CLOUD_REGISTER_POINT_STRUCT (
     WarmPoint,
     (float, x, x) (float, y, y) (float, z, z) (float, temperature, temperature))
+
+/** Neither aligned nor padded, as a driver may store what it measures. */
+struct PackedPoint {
+  std::uint32_t time;
+  float x, y, z;
+};
+
+POINT_CLOUD_REGISTER_POINT_STRUCT (
+    PackedPoint, (std::uint32_t, time, time) (float, x, x) (float, y, y) (float, z, z))
+
+struct Surfel {
+  float x, y, z;
+  float radius;
+  float normal_x, normal_y, normal_z;
+  float curvature;
+};
+
+POINT_CLOUD_REGISTER_POINT_STRUCT (
+    Surfel,
+    (float, x, x) (float, y, y) (float, z, z) (float, radius, radius) (
+        float, normal_x, normal_x) (float, normal_y, normal_y) (
+        float, normal_z, normal_z) (float, curvature, curvature))
+
+struct Opinion {
+  float probability;
+  std::uint32_t label;
+};
+
+POINT_CLOUD_REGISTER_POINT_STRUCT (
+    Opinion, (float, probability, probability) (std::uint32_t, label, label))
+
+TEST (CustomPoints, GiveTheSameInAllClasses)
+{
+  expectSameAsPointXYZ<WarmPoint, Surfel, Opinion>();
+  expectSameAsPointXYZ<PackedPoint, Surfel, pcl::Label>();
+  expectSameAsPointXYZ<Surfel, Surfel, Opinion>();
+}
 
 TEST (CustomPoints, GoThroughDetectionAndAllFilters)
 {
