@@ -8,7 +8,8 @@ packages=(
   libopenmpi-dev # VTK's CMake files look for it
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
-  clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz
+  clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz, test/sanitize.sh
+  gcovr llvm-14 valgrind
   clang-format-14 python3 doxygen
 )
 

@@ -21,3 +21,7 @@ cmake --build build-ci
 
 echo "== Testing"
 ctest --test-dir build-ci --output-on-failure --parallel 2
+if [ -e build-ci/sanitize/coverage.txt ]; then
+  echo "== Coverage of the library's code by the tests"
+  cat build-ci/sanitize/coverage.txt
+fi

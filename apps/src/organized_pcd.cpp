@@ -61,7 +61,7 @@ readBytes (const std::string& file)
   std::ostringstream bytes;
   bytes << stream.rdbuf();
   if (!stream || bytes.bad())
-    throw AppError (file + ": cannot read this file: " + std::strerror (errno));
+    throw AppError (file + ": cannot open this file: " + std::strerror (errno));
   return bytes.str();
 }
 

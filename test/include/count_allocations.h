@@ -14,7 +14,14 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }
 
-#ifndef __SANITIZE_ADDRESS__ // which has such functions of its own
+// Sanitizers have such functions of their own.
+#ifdef __has_feature
+#define HAS_SANITIZER                                                                  \
+  __has_feature (address_sanitizer) || __has_feature (thread_sanitizer)
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HAS_SANITIZER 1
+#endif
+#if !HAS_SANITIZER
 extern "C" {
 void*
 __libc_malloc (std::size_t size);
