@@ -17,7 +17,7 @@ std::atomic<std::size_t> allocations{0};
 // Sanitizers have such functions of their own.
 #ifdef __has_feature
 #define HAS_SANITIZER                                                                  \
-  __has_feature (address_sanitizer) || __has_feature (thread_sanitizer)
+  (__has_feature (address_sanitizer) || __has_feature (thread_sanitizer))
 #elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAS_SANITIZER 1
 #endif
