@@ -20,14 +20,6 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Ints = hn::RebindToSigned<Floats>;
-
-HWY_INLINE Points
-load (const PointRow& row, std::ptrdiff_t i)
-{
-  return {load (row.x() + i), load (row.y() + i), load (row.z() + i)};
-}
-
 /** As mayBeOnPlane(). */
 HWY_INLINE Mask
 mayBeOnPlane (V height,

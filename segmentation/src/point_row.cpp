@@ -12,23 +12,27 @@ namespace pcl {
 namespace rgbd_planes {
 
 void
-PointRow::load (const OrganizedPoints& points, int row)
+PointRow::load (const OrganizedPoints& points, int row, const std::uint8_t* selected)
 {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto width = static_cast<std::size_t> (points.width);
   if (columns_.size() != width) {
     columns_.resize (width);
     std::iota (columns_.begin(), columns_.end(), 0);
     for (auto& coordinate : coordinates_)
-      coordinate.assign ((1 + blocks()) * block_size,
-                         std::numeric_limits<float>::quiet_NaN());
+      coordinate.assign (block_size + size(), nan);
   }
-  loadPixels (points[static_cast<std::size_t> (row) * width],
+  const std::size_t first = static_cast<std::size_t> (row) * width;
+  loadPixels (points[first],
               points.stride,
               columns_,
               width,
               coordinates_[0].data() + block_size,
               coordinates_[1].data() + block_size,
               coordinates_[2].data() + block_size);
+  for (std::size_t u = 0; selected && u < width; ++u)
+    if (!selected[first + u])
+      coordinates_[0][block_size + u] = nan;
 }
 
 } // namespace rgbd_planes

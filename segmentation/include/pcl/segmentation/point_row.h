@@ -20,13 +20,23 @@ class PCL_RGBD_PLANES_EXPORTS PointRow {
 public:
   static constexpr std::size_t block_size = 16;
 
+  /** \param[in] selected not 0 for the points to load, one for each point of the image;
+   * others become NaN; null for all
+   */
   void
-  load (const OrganizedPoints& points, int row);
+  load (const OrganizedPoints& points, int row, const std::uint8_t* selected = nullptr);
 
   std::size_t
   blocks () const
   {
     return (columns_.size() + block_size - 1) / block_size;
+  }
+
+  /** \brief The number of points, with those that fill up the last block. */
+  std::size_t
+  size () const
+  {
+    return blocks() * block_size;
   }
 
   const float*
