@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "obstacle_kernels.h"
+
 #include <pcl/segmentation/obstacle_extraction.h>
 
 #include <algorithm>
@@ -71,14 +73,16 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
     obstacles[k].indices.reserve (sizes[k]);
   }
   nearest_.assign (sizes.size(), std::numeric_limits<float>::infinity());
-  for (auto* coordinate : {&base_.x, &base_.y, &base_.z})
-    coordinate->resize (static_cast<std::size_t> (points.width));
   scan_builder_.start (parameters.scan, scan_);
-  for (const auto& run : clusters_.runs())
-    if (run.cluster != ObstacleClusters::none) {
-      moveToBase (points, run, parameters.camera_to_base);
-      addRun (run, obstacles[run.cluster]);
-    }
+  const auto width = static_cast<std::size_t> (points.width);
+  const auto& runs = clusters_.runs();
+  for (std::size_t run = 0, next; run < runs.size(); run = next) {
+    const std::size_t row = runs[run].first / width;
+    for (next = run + 1; next < runs.size() && runs[next].first / width == row;)
+      ++next;
+    addRow (
+        points, &runs[run], &runs[next - 1] + 1, parameters.camera_to_base, obstacles);
+  }
   scan_builder_.finish();
   for (auto& obstacle : obstacles) {
     obstacle.distance = obstacle.nearest.head<2>().norm();
@@ -91,29 +95,66 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
 }
 
 void
-ObstacleExtraction::moveToBase (const OrganizedPoints& points,
-                                const ObstacleClusters::Run& run,
-                                const Eigen::Affine3f& camera_to_base)
+ObstacleExtraction::addRow (const OrganizedPoints& points,
+                            const ObstacleClusters::Run* begin,
+                            const ObstacleClusters::Run* end,
+                            const Eigen::Affine3f& camera_to_base,
+                            std::vector<Obstacle>& obstacles)
 {
-  const Eigen::Matrix4f m = camera_to_base.matrix();
-  const Eigen::Vector4f floor = floor_.coefficients();
-  // The ray to a drop-off is followed to where it meets the floor.
-  const bool is_drop_off = classes_[run.first] == ObstacleClass::drop_off;
-  float* x = base_.x.data();
-  float* y = base_.y.data();
-  float* z = base_.z.data();
+  const auto width = static_cast<std::size_t> (points.width);
+  const std::size_t row = begin->first / width;
+  row_.load (points, static_cast<int> (row));
+  for (auto* values : {&base_.x, &base_.y, &base_.z, &base_.squares})
+    values->resize (row_.size());
+  moveRow (row_,
+           camera_to_base,
+           base_.x.data(),
+           base_.y.data(),
+           base_.z.data(),
+           base_.squares.data());
+  const auto leaveOut = [&] (std::size_t from, std::size_t to) {
+    std::fill (base_.x.begin() + static_cast<std::ptrdiff_t> (from),
+               base_.x.begin() + static_cast<std::ptrdiff_t> (to),
+               std::numeric_limits<float>::quiet_NaN());
+  };
+  std::size_t column = 0;
+  for (const auto* run = begin; run != end; ++run) {
+    if (run->cluster == ObstacleClusters::none)
+      continue;
+    const std::size_t first = run->first - row * width;
+    leaveOut (column, first);
+    column = first + run->length;
+    if (classes_[run->first] == ObstacleClass::drop_off)
+      followToFloor (points, *run, first, camera_to_base.translation());
+    addRun (*run, first, obstacles[run->cluster]);
+  }
+  leaveOut (column, row_.size());
+  scan_builder_.addRow (base_.x.data(), base_.y.data(), base_.z.data(), row_.size());
+}
+
+/** Moves points of a drop-off along their rays to where these meet the floor. */
+void
+ObstacleExtraction::followToFloor (const OrganizedPoints& points,
+                                   const ObstacleClusters::Run& run,
+                                   std::size_t column,
+                                   const Eigen::Vector3f& camera)
+{
+  const Eigen::Vector4f& floor = floor_.coefficients();
   for (std::size_t i = 0; i < run.length; ++i) {
-    const float* p = points[run.first + i];
-    const float to_floor = floor[3] / (floor[3] - heightAbove (floor, p));
-    const float scale = is_drop_off ? to_floor : 1.f;
-    x[i] = scale * (m (0, 0) * p[0] + m (0, 1) * p[1] + m (0, 2) * p[2]) + m (0, 3);
-    y[i] = scale * (m (1, 0) * p[0] + m (1, 1) * p[1] + m (1, 2) * p[2]) + m (1, 3);
-    z[i] = scale * (m (2, 0) * p[0] + m (2, 1) * p[1] + m (2, 2) * p[2]) + m (2, 3);
+    const float height = heightAbove (floor, points[run.first + i]);
+    const float scale = floor[3] / (floor[3] - height);
+    float &x = base_.x[column + i], &y = base_.y[column + i], &z = base_.z[column + i];
+    x = camera.x() + scale * (x - camera.x());
+    y = camera.y() + scale * (y - camera.y());
+    z = camera.z() + scale * (z - camera.z());
+    base_.squares[column + i] = x * x + y * y;
   }
 }
 
 void
-ObstacleExtraction::addRun (const ObstacleClusters::Run& run, Obstacle& obstacle)
+ObstacleExtraction::addRun (const ObstacleClusters::Run& run,
+                            std::size_t column,
+                            Obstacle& obstacle)
 {
   obstacle.kind = classes_[run.first] == ObstacleClass::drop_off
                       ? Obstacle::Kind::drop_off
@@ -123,17 +164,14 @@ ObstacleExtraction::addRun (const ObstacleClusters::Run& run, Obstacle& obstacle
   std::iota (obstacle.indices.begin() + static_cast<std::ptrdiff_t> (before),
              obstacle.indices.end(),
              static_cast<pcl::index_t> (run.first));
-  scan_builder_.add (base_.x.data(), base_.y.data(), base_.z.data(), run.length);
-  float nearest = nearest_[run.cluster];
-  for (std::size_t i = 0; i < run.length; ++i) {
-    const float x = base_.x[i], y = base_.y[i], z = base_.z[i];
-    const float squared = x * x + y * y;
-    if (squared < nearest) {
-      nearest = squared;
-      obstacle.nearest = {x, y, z};
-    }
-  }
+  const float* squares = &base_.squares[column];
+  const float nearest = minimum (squares, run.length);
+  if (!(nearest < nearest_[run.cluster]))
+    return;
   nearest_[run.cluster] = nearest;
+  const auto i = static_cast<std::size_t> (
+      std::find (squares, squares + run.length, nearest) - squares);
+  obstacle.nearest = {base_.x[column + i], base_.y[column + i], base_.z[column + i]};
 }
 
 } // namespace rgbd_planes

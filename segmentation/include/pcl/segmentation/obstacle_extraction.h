@@ -84,13 +84,22 @@ private:
            const ObstacleParameters& parameters,
            std::vector<Obstacle>& obstacles);
 
+  /** Adds the points of the runs of a row to their obstacles and to the scan. */
   void
-  moveToBase (const OrganizedPoints& points,
-              const ObstacleClusters::Run& run,
-              const Eigen::Affine3f& camera_to_base);
+  addRow (const OrganizedPoints& points,
+          const ObstacleClusters::Run* begin,
+          const ObstacleClusters::Run* end,
+          const Eigen::Affine3f& camera_to_base,
+          std::vector<Obstacle>& obstacles);
 
   void
-  addRun (const ObstacleClusters::Run& run, Obstacle& obstacle);
+  followToFloor (const OrganizedPoints& points,
+                 const ObstacleClusters::Run& run,
+                 std::size_t column,
+                 const Eigen::Vector3f& camera);
+
+  void
+  addRun (const ObstacleClusters::Run& run, std::size_t column, Obstacle& obstacle);
 
   FloorPlane floor_;
   ObstaclePoints point_classes_;
@@ -98,9 +107,11 @@ private:
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  /** The points of a run in the base frame. */
+  PointRow row_;
+  /** The points of a row in the base frame. */
   struct {
     std::vector<float> x, y, z;
+    std::vector<float> squares; // of their distances from the z axis
   } base_;
   std::vector<float> nearest_; // squared distance of each obstacle
 };
