@@ -5,8 +5,8 @@
 
 #include <pcl/impl/instantiate.hpp>
 
-// The point types that the library is compiled for: all of PCL's, or few of them for a
-// build that takes a third of the time.
+// The point types that the library is compiled for: all of PCL's, or the common ones for a
+// faster build.
 #ifdef PCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES
 #define PCL_RGBD_PLANES_XYZ_POINT_TYPES                                                \
   (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGB) (pcl::PointXYZRGBA) (            \
