@@ -15,13 +15,16 @@ cmake --build "$build" --target fuzzers
 
 export TMPDIR=$build/fuzz/scratch ASAN_OPTIONS=allocator_may_return_null=1
 trap 'rm -rf "$TMPDIR"' EXIT
-result=0
-for fuzzer in classes depth_png inputs pcd; do
-  mkdir -p "$build/fuzz/$fuzzer" "$TMPDIR"
-  "$build/bin/fuzz_$fuzzer" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4000 \
-    -print_final_stats=1 -artifact_prefix="$build/fuzz/$fuzzer-" "$build/fuzz/$fuzzer" \
-    "$source/test/fuzz/corpus/$fuzzer" >"$build/fuzz/$fuzzer.log" 2>&1 ||
-    { result=1; tail -n 40 "$build/fuzz/$fuzzer.log"; }
-  sed -n "s/stat::number_of_executed_units:/$fuzzer: inputs tried:/p" "$build/fuzz/$fuzzer.log"
-done
-exit $result
+mkdir -p "$TMPDIR"
+export source build seconds
+fuzz() {
+  local log=$build/fuzz/$1.log result=0
+  mkdir -p "$build/fuzz/$1"
+  "$build/bin/fuzz_$1" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4000 \
+    -print_final_stats=1 -artifact_prefix="$build/fuzz/$1-" "$build/fuzz/$1" \
+    "$source/test/fuzz/corpus/$1" >"$log" 2>&1 || { result=1; tail -n 40 "$log"; }
+  sed -n "s/stat::number_of_executed_units:/$1: inputs tried:/p" "$log"
+  return $result
+}
+export -f fuzz
+printf '%s\n' classes depth_png inputs pcd | xargs -P 2 -I {} bash -c 'fuzz {}'
