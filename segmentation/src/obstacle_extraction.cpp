@@ -29,32 +29,47 @@ ObstacleExtraction::compute (const OrganizedPoints& points,
                noise,
                parameters.floor_angle,
                parameters.floor_height);
-  classify ({points, normals, planes, floor_, selected}, excluded, parameters);
+  classify ({points, normals, planes, floor_}, selected, parameters);
+  if (excluded)
+    exclude (*excluded);
   const std::size_t min_points = parameters.min_cluster_size != 0
                                      ? parameters.min_cluster_size
                                      : std::max<std::size_t> (points.size() / 20000, 2);
-  clusters_.compute (points, noise, min_points, classes_);
+  clusters_.compute (points, links_, noise, min_points, classes_);
   collect (points, parameters, obstacles);
 }
 
 void
 ObstacleExtraction::classify (const ObstacleFrame& frame,
-                              const pcl::Indices* excluded,
+                              const std::uint8_t* selected,
                               const ObstacleParameters& parameters)
 {
-  if (floor_.isFound())
-    point_classes_.classify (frame, parameters.points, classes_);
-  else {
-    classes_.resize (frame.points.size());
-    for (std::size_t i = 0; i < classes_.size(); ++i)
-      classes_[i] = isUsable (frame.points[i], parameters.points.noise) &&
-                            (!frame.selected || frame.selected[i])
-                        ? ObstacleClass::obstacle
-                        : ObstacleClass::unmeasured;
+  const DepthNoise& noise = parameters.points.noise;
+  classes_.resize (frame.points.size());
+  links_.resize (frame.points);
+  point_classes_.start (frame, parameters.points);
+  rows_[1].load (frame.points, 0);
+  for (int v = 0; v < frame.points.height; ++v) {
+    PointRow &row = rows_[v % 2], &row_above = rows_[1 - v % 2];
+    row.load (frame.points, v, selected);
+    links_.addRow (v, row, row_above, noise);
+    if (floor_.isFound())
+      point_classes_.addRow (frame, v, row, classes_);
   }
-  if (!excluded)
+  if (floor_.isFound()) {
+    point_classes_.finish (frame, classes_);
     return;
-  for (const pcl::index_t index : *excluded) {
+  }
+  for (std::size_t i = 0; i < classes_.size(); ++i)
+    classes_[i] = isUsable (frame.points[i], noise) && (!selected || selected[i])
+                      ? ObstacleClass::obstacle
+                      : ObstacleClass::unmeasured;
+}
+
+void
+ObstacleExtraction::exclude (const pcl::Indices& excluded)
+{
+  for (const pcl::index_t index : excluded) {
     ObstacleClass& result = classes_[static_cast<std::size_t> (index)];
     if (result != ObstacleClass::unmeasured)
       result = ObstacleClass::excluded;
@@ -103,10 +118,10 @@ ObstacleExtraction::addRow (const OrganizedPoints& points,
 {
   const auto width = static_cast<std::size_t> (points.width);
   const std::size_t row = begin->first / width;
-  row_.load (points, static_cast<int> (row));
+  rows_[0].load (points, static_cast<int> (row));
   for (auto* values : {&base_.x, &base_.y, &base_.z, &base_.squares})
-    values->resize (row_.size());
-  moveRow (row_,
+    values->resize (rows_[0].size());
+  moveRow (rows_[0],
            camera_to_base,
            base_.x.data(),
            base_.y.data(),
@@ -128,8 +143,9 @@ ObstacleExtraction::addRow (const OrganizedPoints& points,
       followToFloor (points, *run, first, camera_to_base.translation());
     addRun (*run, first, obstacles[run->cluster]);
   }
-  leaveOut (column, row_.size());
-  scan_builder_.addRow (base_.x.data(), base_.y.data(), base_.z.data(), row_.size());
+  leaveOut (column, rows_[0].size());
+  scan_builder_.addRow (
+      base_.x.data(), base_.y.data(), base_.z.data(), rows_[0].size());
 }
 
 /** Moves points of a drop-off along their rays to where these meet the floor. */

@@ -74,10 +74,14 @@ public:
   }
 
 private:
+  /** What the points are, and which of them are linked. */
   void
   classify (const ObstacleFrame& frame,
-            const pcl::Indices* excluded,
+            const std::uint8_t* selected,
             const ObstacleParameters& parameters);
+
+  void
+  exclude (const pcl::Indices& excluded);
 
   void
   collect (const OrganizedPoints& points,
@@ -103,11 +107,12 @@ private:
 
   FloorPlane floor_;
   ObstaclePoints point_classes_;
+  ObstacleLinks links_;
   ObstacleClusters clusters_;
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  PointRow row_;
+  PointRow rows_[2];
   /** The points of a row in the base frame. */
   struct {
     std::vector<float> x, y, z;
