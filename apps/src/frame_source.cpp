@@ -111,13 +111,15 @@ refuseDepthOptions (const InputOptions& options, const std::string& input)
 FrameSource::FrameSource (const InputOptions& options) : options_ (options)
 {
   const std::string& input = options_.input;
+  std::error_code error; // of names that are too long, for instance
+  const fs::file_status status = fs::status (input, error);
   if (startsWith (input, simulated))
     addSimulated (input.substr (sizeof (simulated) - 1));
   else if (startsWith (input, live))
     addLive (input.substr (sizeof (live) - 1));
-  else if (fs::is_directory (input))
+  else if (fs::is_directory (status))
     addFolder (input);
-  else if (fs::exists (input))
+  else if (fs::exists (status))
     addFile (input);
   else
     throw AppError (

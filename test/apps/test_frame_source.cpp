@@ -153,6 +153,8 @@ TEST (FrameSource, WrongInputsAreRefused)
   const TemporaryFolder folder;
   EXPECT_TRUE (contains (messageOf (inputOf (folder / "nothing")), "no such file"));
   EXPECT_TRUE (contains (messageOf (inputOf ("")), "no such file"));
+  const std::string too_long (10000, 'a');
+  EXPECT_TRUE (contains (messageOf (inputOf (too_long)), "no such file"));
   EXPECT_TRUE (contains (messageOf (inputOf (folder.path())), "no .pcd, no .png"));
   std::filesystem::create_directory (folder / "depth");
   EXPECT_TRUE (contains (messageOf (inputOf (folder.path())),
