@@ -58,10 +58,11 @@ std::string
 readBytes (const std::string& file)
 {
   std::ifstream stream (file, std::ios::binary);
+  stream.peek(); // which folders do not let
+  if (!stream.is_open() || stream.bad())
+    throw AppError (file + ": cannot open this file: " + std::strerror (errno));
   std::ostringstream bytes;
   bytes << stream.rdbuf();
-  if (!stream || bytes.bad())
-    throw AppError (file + ": cannot open this file: " + std::strerror (errno));
   return bytes.str();
 }
 

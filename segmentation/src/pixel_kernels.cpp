@@ -76,7 +76,10 @@ loadPixelsHere (const float* first,
 {
   const std::size_t lanes = hn::Lanes (Floats());
   constexpr std::size_t ahead = 2560, cache_line = 16; // floats; a row of 640 points
-  if (stride == 4 && run % lanes == 0)
+  // In PCL's points, x begins a block of 16 bytes; elsewhere the last one may end with z.
+  const bool has_blocks =
+      stride == 4 && reinterpret_cast<std::uintptr_t> (first) % 16 == 0;
+  if (has_blocks && run % lanes == 0)
     for (std::size_t i = 0; i < offsets.size(); i += lanes) {
       Points p;
       V unused;
