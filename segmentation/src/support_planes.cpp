@@ -4,6 +4,7 @@
 #include <pcl/segmentation/support_planes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <random>
@@ -250,14 +251,19 @@ liesOnOneOf (const std::vector<Plane>& planes,
              const DepthNoise& noise)
 {
   constexpr float sigmas = 3.f;
+  std::array<Eigen::Vector3f, 2 * decisive_sample> sample;
+  std::size_t size = 0;
+  sampleInliers (
+      points, thing, decisive_sample, [&] (const auto& p) { sample[size++] = p; });
+  const auto may_be_off =
+      static_cast<std::size_t> ((1. - nearly_all) * static_cast<double> (size));
   return std::any_of (planes.begin(), planes.end(), [&] (const Plane& plane) {
-    std::size_t on_plane = 0, all = 0;
-    sampleInliers (points, thing, decisive_sample, [&] (const auto& p) {
-      ++all;
-      on_plane +=
-          isWithinNoise (p.data(), plane, plane.distance (p.data()), sigmas, noise);
-    });
-    return static_cast<double> (on_plane) >= nearly_all * static_cast<double> (all);
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < size && off <= may_be_off; ++i) {
+      const float* p = sample[i].data();
+      off += !isWithinNoise (p, plane, plane.distance (p), sigmas, noise);
+    }
+    return off <= may_be_off;
   });
 }
 
