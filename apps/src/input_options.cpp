@@ -75,6 +75,16 @@ const char input_help[] =
     "or a\n"
     "                       recording FILE.oni\n";
 
+const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line or an "
+                         "input is wrong, or a file "
+                         "cannot be\nwritten; a line on stderr then says what to do.\n";
+
+const char base_transform_help[] =
+    "where the camera is in the frame of the robot (x forward, y left, z up), in "
+    "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
+    "that of a simulated camera, or else the largest plane that faces up in the image "
+    "is taken for the floor, or for a table";
+
 po::options_description
 inputOptionsDescription ()
 {

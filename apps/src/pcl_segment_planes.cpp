@@ -48,11 +48,7 @@ readOptions (int argc, char** argv)
       "find what a robot must not drive into, and write a virtual laser scan of it") (
       "base-transform",
       po::value<std::string>()->value_name ("x,y,z,roll,pitch,yaw"),
-      "where the camera is in the frame of the robot (x forward, y left, z up), in "
-      "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
-      "that of a simulated camera, or else the largest plane that faces up in the "
-      "image "
-      "is taken for the floor, or for a table") (
+      base_transform_help) (
       "output",
       po::value<std::string>()->value_name ("DIR"),
       "write pictures, labelled clouds, planes.csv, objects.csv, obstacles.csv, scans "
@@ -97,12 +93,7 @@ void
 prepareOutput (const Options& options, OutputFiles& files)
 {
   if (options.output) {
-    std::error_code error;
-    if (fs::is_directory (options.input.input) &&
-        fs::equivalent (options.input.input, *options.output, error))
-      throw AppError (options.output->string() +
-                      ": --output is the INPUT folder, whose next run would take the "
-                      "results for frames; choose another folder");
+    refuseInputFolder (options.input.input, *options.output);
     files.createFolder (*options.output);
     files.write (*options.output / "result.json", "");
     files.write (*options.output / "planes.csv", "");

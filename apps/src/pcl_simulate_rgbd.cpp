@@ -3,13 +3,12 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
+#include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/apps/pictures.h>
-#include <pcl/conversions.h>
-#include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/plane_extraction.h>
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
@@ -18,7 +17,6 @@
 
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
@@ -97,28 +95,6 @@ readOptions (int argc, char** argv)
                  value ("output"),
                  scene + '_' + std::to_string (seed) + '_' + value ("sensor") + '_' +
                      value ("resolution")};
-}
-
-template <typename PointT>
-std::string
-encodePcd (const pcl::PointCloud<PointT>& cloud)
-{
-  pcl::PCLPointCloud2 blob;
-  pcl::toPCLPointCloud2 (cloud, blob);
-  std::ostringstream stream;
-  if (pcl::PCDWriter().writeBinaryCompressed (
-          stream, blob, cloud.sensor_origin_, cloud.sensor_orientation_) < 0)
-    throw std::runtime_error ("cannot encode a cloud");
-  return stream.str();
-}
-
-Picture
-colourPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
-{
-  Picture picture (cloud.width, cloud.height);
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    picture[i] = pcl::RGB (cloud[i].r, cloud[i].g, cloud[i].b);
-  return picture;
 }
 
 /** The true planes, numbered as a segmentation does. */
