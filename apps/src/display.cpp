@@ -28,10 +28,11 @@ displayName ()
 void
 checkDisplay ()
 {
-  if (Display* display = XOpenDisplay (nullptr)) {
-    XCloseDisplay (display);
+  // Kept open: a server like Xvfb starts anew when its last client goes, and cannot be reached
+  // for a moment.
+  static Display* const display = XOpenDisplay (nullptr);
+  if (display)
     return;
-  }
   const std::string name = displayName();
   throw AppError ((name.empty() ? "there is no display (DISPLAY is not set)"
                                 : "cannot open the display '" + name + "'") +

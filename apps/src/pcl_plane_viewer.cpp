@@ -51,7 +51,7 @@ describeOptions ()
   const auto text = [] (const char* name) {
     return po::value<std::string>()->value_name (name);
   };
-  po::options_description options ("Options");
+  po::options_description options ("Options", help_width);
   options.add_options() ("help", "print this help") (
       "show",
       text ("LAYERS")->default_value ("planes,contours,objects,scan"),

@@ -59,14 +59,13 @@ PlaneViewer::~PlaneViewer()
 void
 PlaneViewer::show (const Frame& frame)
 {
-  const bool is_first = !original_;
   original_ = frame;
-  compute();
+  frame_.compute (*original_, options_.step);
   times_.push_back (std::chrono::steady_clock::now());
   while (times_.back() - times_.front() > std::chrono::seconds (2))
     times_.pop_front();
-  if (is_first)
-    window_.lookFromCamera (frame_.cloud());
+  if (!is_view_chosen_)
+    is_view_chosen_ = window_.lookFromCamera (frame_.cloud());
   draw();
 }
 
@@ -132,8 +131,8 @@ PlaneViewer::takeKey (char key)
 void
 PlaneViewer::takePoint (const Eigen::Vector3f& point)
 {
-  message_ = frame_.describePlane (point);
-  std::cout << frame_.summary().name << ": " << message_ << std::endl;
+  message_ = frame_.summary().name + ": " + frame_.describePlane (point);
+  std::cout << message_ << std::endl;
 }
 
 void
@@ -170,7 +169,7 @@ PlaneViewer::changeResolution()
   options_.step = coarser > coarsest || std::min (cloud.width, cloud.height) <= coarser
                       ? 1
                       : coarser;
-  compute();
+  frame_.compute (*original_, options_.step);
   draw();
 }
 
@@ -188,18 +187,12 @@ PlaneViewer::save()
     files.write (file.string() + ".pcd", encodePcd (frame_.cloud()));
     files.commit();
     message_ = "saved " + file.string() + ".png and .pcd";
+    std::cout << message_ << std::endl;
   }
   catch (const AppError& error) {
     message_ = error.what();
+    std::cerr << message_ << std::endl;
   }
-  std::cout << message_ << std::endl;
-}
-
-void
-PlaneViewer::compute()
-{
-  frame_.compute (*original_, options_.step);
-  message_.clear();
 }
 
 void

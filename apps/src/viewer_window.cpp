@@ -102,6 +102,7 @@ ViewerWindow::ViewerWindow (KeyHandler take_key, PickHandler take_point)
   int no_arguments = 0;
   visualizer_ = std::make_unique<pcl::visualization::PCLVisualizer> (
       no_arguments, nullptr, "pcl_plane_viewer", style);
+  visualizer_->getRenderWindow()->SetMultiSamples (0);
   visualizer_->setSize (1024, 768);
   visualizer_->setShowFPS (false);
   visualizer_->registerPointPickingCallback (
@@ -168,7 +169,7 @@ ViewerWindow::showHelp (const std::string& text)
   help_->SetInput (text.c_str());
 }
 
-void
+bool
 ViewerWindow::lookFromCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -179,7 +180,7 @@ ViewerWindow::lookFromCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
       points += 1.;
     }
   if (points == 0.)
-    return;
+    return false;
   const Eigen::Vector3d centre = sum / points;
   const Eigen::Vector3d up (0., -1., 0.);
   const Eigen::Vector3d eye = 0.15 * centre.norm() * up - 0.2 * centre;
@@ -195,6 +196,7 @@ ViewerWindow::lookFromCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
   const double focal = fitCamera (cloud).fy;
   const double angle = 2. * std::atan2 (0.5 * cloud.height, focal);
   visualizer_->setCameraFieldOfView (std::clamp (1.1 * angle, 0.3, 1.2));
+  return true;
 }
 
 void

@@ -361,7 +361,7 @@ TEST_F (ViewerWindowTest, AClickWithShiftTellsThePlane)
   const std::string wall = testing::internal::GetCapturedStdout();
   EXPECT_EQ (wall.rfind ("scene: plane ", 0), 0u) << wall;
   EXPECT_NE (wall.find (", wall\n"), std::string::npos) << wall;
-  EXPECT_TRUE (says ("\nplane ") && says (", wall"));
+  EXPECT_TRUE (says ("\nscene: plane ") && says (", wall"));
   testing::internal::CaptureStdout();
   shiftClick (300, 590);
   const std::string floor = testing::internal::GetCapturedStdout();
@@ -378,6 +378,17 @@ TEST_F (ViewerWindowTest, FramesThatAreNotShownAreCounted)
   viewer_->update();
   EXPECT_TRUE (says ("1, 640 x 480")) << "after 2 and 3";
   EXPECT_TRUE (says (" frames/s, 2 dropped, ")) << viewer_->status();
+}
+
+TEST_F (ViewerWindowTest, TheFirstPointsAreLookedAt)
+{
+  auto dark = viewer_scene::makeFrame();
+  for (auto& point : *dark.cloud)
+    point.x = point.y = point.z = synthetic::nan;
+  viewer_->show (dark);
+  EXPECT_TRUE (says ("0 planes"));
+  viewer_->show (viewer_scene::makeFrame());
+  EXPECT_GT (percentOf (viewer_scene::camera_colour), 50.);
 }
 
 TEST_F (ViewerWindowTest, KeysBeforeTheFirstFrameDoNoHarm)

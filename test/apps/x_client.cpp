@@ -57,6 +57,7 @@ XClient::~XClient()
 bool
 XClient::findWindow (const std::string& title)
 {
+  window_ = 0;
   for (int i = 0; display_ && !window_ && i < 600; ++i) {
     window_ = findBelow (display_, DefaultRootWindow (display_), title);
     std::this_thread::sleep_for (std::chrono::milliseconds (100));

@@ -52,5 +52,8 @@ extern const char input_help[];
 /** \brief What --help says about the exit code. */
 extern const char exit_help[];
 
+/** \brief Columns of --help. */
+constexpr unsigned help_width = 100;
+
 } // namespace rgbd_planes
 } // namespace pcl

@@ -92,9 +92,6 @@ private:
   void
   save ();
 
-  void
-  compute ();
-
   /** \brief After frame_ or the layers changed. */
   void
   draw ();
@@ -114,6 +111,7 @@ private:
   /** As it came; nothing before the first one. */
   std::optional<Frame> original_;
   ViewerFrame frame_;
+  bool is_view_chosen_ = false;
   bool help_is_shown_ = false;
   /** What was done last: a plane that was picked, or a file that was saved. */
   std::string message_;

@@ -48,8 +48,9 @@ public:
   showHelp (const std::string& text);
 
   /** \brief Looks at a scene from a little behind and above the camera that took it.
-   * \param[in] cloud organized */
-  void
+   * \param[in] cloud organized
+   * \return false where there is nothing to look at */
+  bool
   lookFromCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
 
   void
