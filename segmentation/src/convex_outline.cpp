@@ -4,6 +4,7 @@
 #include <pcl/segmentation/convex_outline.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -47,13 +48,55 @@ sortByX (std::vector<Vector2f>& points)
   });
 }
 
+/** Drops points inside of the octagon of those furthest out in eight directions: they are
+ * no corners (Akl and Toussaint, A Fast Convex Hull Algorithm, 1978). */
+void
+dropInnerPoints (std::vector<Vector2f>& points)
+{
+  const auto heights = [] (const Vector2f& p) {
+    return Eigen::Array4f (p.x(), p.x() + p.y(), p.y(), p.y() - p.x());
+  };
+  Eigen::Array4f high = heights (points.front()), low = high;
+  std::array<Vector2f, 8> octagon; // counterclockwise
+  octagon.fill (points.front());
+  for (const auto& point : points) {
+    const Eigen::Array4f height = heights (point);
+    if ((height <= high && height >= low).all())
+      continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (height[k] > high[k])
+        octagon[k] = point;
+      if (height[k] < low[k])
+        octagon[k + 4] = point;
+    }
+    high = high.max (height);
+    low = low.min (height);
+  }
+  const auto isInside = [&] (const Vector2f& point) {
+    bool has_sides = false;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Vector2f &a = octagon[k], &b = octagon[(k + 1) % 8];
+      if (a == b)
+        continue;
+      if (cross (a, b, point) <= 0.f)
+        return false;
+      has_sides = true;
+    }
+    return has_sides;
+  };
+  points.erase (std::remove_if (points.begin(), points.end(), isInside), points.end());
+}
+
 } // namespace
 
 void
 convexHull (std::vector<Vector2f>& points, std::vector<Vector2f>& corners)
 {
-  sortByX (points);
   corners.clear();
+  if (points.empty())
+    return;
+  dropInnerPoints (points);
+  sortByX (points);
   std::size_t fixed = 1; // corners that the chain at hand cannot drop
   const auto add = [&] (const Vector2f& point) {
     while (corners.size() > fixed &&
@@ -72,7 +115,7 @@ void
 ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
 {
   corners_.clear();
-  right_ = left_ - 1.f;
+  bounds_.setEmpty();
   if (points.empty())
     return;
   convexHull (points, corners_);
@@ -87,32 +130,43 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
   sortByX (grown_);
   appendChain (grown_, 1.f, lower_.points);
   appendChain (grown_, -1.f, upper_.points);
-  left_ = grown_.front().x();
-  right_ = grown_.back().x();
-  steps_per_unit_ = right_ > left_ ? index_steps / (right_ - left_) : 0.f;
-  lower_.index (left_, steps_per_unit_);
-  upper_.index (left_, steps_per_unit_);
+  for (const auto& point : grown_)
+    bounds_.extend (point);
+  const float left = bounds_.min().x(), right = bounds_.max().x();
+  steps_per_unit_ = right > left ? index_steps / (right - left) : 0.f;
+  lower_.index (left, steps_per_unit_);
+  upper_.index (left, steps_per_unit_);
 }
 
 void
 ConvexOutline::Chain::index (float left, float steps_per_unit)
 {
-  first.assign (index_steps + 1, 0);
+  steps.resize (index_steps + 1);
   std::size_t edge = 0;
-  for (int step = 0; step <= index_steps; ++step) {
-    const float x = left + static_cast<float> (step) / std::max (steps_per_unit, 1e-6f);
+  const float width = 1.f / std::max (steps_per_unit, 1e-6f);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const float x = left + static_cast<float> (k) * width;
     while (edge + 2 < points.size() && points[edge + 1].x() < x)
       ++edge;
-    first[static_cast<std::size_t> (step)] = static_cast<int> (edge);
+    Step& step = steps[k];
+    step.edge = edge;
+    const float begin = at (x, edge), end = at (x + width, edge);
+    step.low = std::min (begin, end);
+    step.high = std::max (begin, end);
+    for (std::size_t i = edge + 1; i < points.size() && points[i].x() < x + width;
+         ++i) {
+      step.low = std::min (step.low, points[i].y());
+      step.high = std::max (step.high, points[i].y());
+    }
   }
 }
 
+/** \a edge is that of the point or one before. */
 float
-ConvexOutline::Chain::at (float x, std::size_t step) const
+ConvexOutline::Chain::at (float x, std::size_t edge) const
 {
   if (points.size() < 2)
     return points.front().y();
-  auto edge = static_cast<std::size_t> (first[step]);
   while (edge + 2 < points.size() && points[edge + 1].x() < x)
     ++edge;
   const Vector2f& a = points[edge];
@@ -124,12 +178,17 @@ ConvexOutline::Chain::at (float x, std::size_t step) const
 bool
 ConvexOutline::contains (const Vector2f& point) const
 {
-  if (!(point.x() >= left_ && point.x() <= right_))
+  const float x = point.x(), y = point.y();
+  if (!bounds_.contains (point))
     return false;
-  const auto step = static_cast<std::size_t> ((point.x() - left_) * steps_per_unit_);
-  const std::size_t clamped = std::min<std::size_t> (step, index_steps);
-  return point.y() >= lower_.at (point.x(), clamped) &&
-         point.y() <= upper_.at (point.x(), clamped);
+  const auto step = std::min<std::size_t> (
+      static_cast<std::size_t> ((x - bounds_.min().x()) * steps_per_unit_),
+      index_steps);
+  const Chain::Step &lower = lower_.steps[step], &upper = upper_.steps[step];
+  if (y > lower.high && y < upper.low)
+    return true;
+  return y >= lower.low && y <= upper.high && y >= lower_.at (x, lower.edge) &&
+         y <= upper_.at (x, upper.edge);
 }
 
 } // namespace rgbd_planes

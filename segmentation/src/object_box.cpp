@@ -4,7 +4,9 @@
 #include <pcl/segmentation/object_box.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace pcl {
@@ -13,7 +15,7 @@ namespace rgbd_planes {
 namespace {
 
 /** So many points tell the sides of a box as well as all of them. */
-constexpr std::size_t max_points = 400;
+constexpr unsigned max_points = 400;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
 
@@ -55,18 +57,23 @@ struct Range {
   float high = 0.f;
 };
 
-/** Where all but a few of the values lie. */
+/** The range of the values but for a few at either end. */
 Range
-trimmedRange (std::vector<float>& values)
+trimmedRange (const std::vector<float>& values)
 {
-  const auto trim =
-      static_cast<std::ptrdiff_t> (trimmed_part * static_cast<float> (values.size()));
-  const auto low = values.begin() + trim;
-  std::nth_element (values.begin(), low, values.end());
-  const Range range{*low, 0.f};
-  const auto high = values.end() - 1 - trim;
-  std::nth_element (values.begin(), high, values.end());
-  return {range.low, *high};
+  constexpr auto max_trimmed =
+      static_cast<std::size_t> (2.f * trimmed_part * float{max_points});
+  std::array<float, max_trimmed + 1> lowest, highest;
+  const auto trimmed =
+      static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
+  std::partial_sort_copy (
+      values.begin(), values.end(), lowest.begin(), lowest.begin() + trimmed + 1);
+  std::partial_sort_copy (values.begin(),
+                          values.end(),
+                          highest.begin(),
+                          highest.begin() + trimmed + 1,
+                          std::greater<>());
+  return {lowest[trimmed], highest[trimmed]};
 }
 
 } // namespace
@@ -85,7 +92,8 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
     values_.push_back (support.plane.distance (p));
   }
   const float height = trimmedRange (values_).high;
-  convexHull (projected_, hull_);
+  border_ = projected_;
+  convexHull (border_, hull_);
   const Eigen::Vector2f along = smallestRectangle (hull_);
   const Eigen::Vector2f across (-along.y(), along.x());
   const auto rangeAlong = [&] (const Eigen::Vector2f& direction) {

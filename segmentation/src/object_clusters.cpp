@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "object_kernels.h"
+
 #include <pcl/segmentation/object_clusters.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -34,12 +37,11 @@ ObjectClusters::compute (const OrganizedPoints& points,
   points_ = points;
   supports_ = &supports;
   parameters_ = parameters;
-  candidates_.clear();
+  runs_.clear();
   sums_.clear();
   if (!supports.empty()) {
     measurePixelAngle();
-    placePoints (selected);
-    joinNeighbours();
+    findRuns (selected);
     sumUp();
   }
   collect();
@@ -69,52 +71,102 @@ ObjectClusters::measurePixelAngle()
   pixel_angle_ = pixels ? angles / static_cast<float> (pixels) : 0.f;
 }
 
+/** Runs of points above the same plane that are close to each other, joined where points
+ * are close to those of the row above. */
 void
-ObjectClusters::placePoints (const std::vector<std::uint8_t>& selected)
+ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
 {
   constexpr std::size_t max_bases = 250;
   bases_.clear();
-  for (std::size_t k = 0; k < std::min (supports_->size(), max_bases); ++k)
-    if (!(*supports_)[k].is_on_object)
-      bases_.push_back ({(*supports_)[k].plane, k});
-  place_.resize (points_.size());
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    place_[i] = selected.empty() || selected[i] ? placeOf (points_[i]) : nowhere;
-    if (place_[i] >= above)
-      candidates_.push_back (i);
+  for (const SupportPlane& support : *supports_)
+    if (!support.is_on_object && bases_.size() < max_bases)
+      bases_.push_back (&support);
+  // What fills up the last block of a row is in the next one, which is placed later.
+  place_.resize (points_.size() + PointRow::block_size);
+  run_above_.resize (static_cast<std::size_t> (points_.width));
+  const LinkLimit limit{
+      stretch * pixel_angle_, parameters_.cluster_tolerance, parameters_.noise};
+  rows_[1].load (points_, 0);
+  has_above_.resize (rows_[1].blocks());
+  for (auto* links : {&to_left_, &to_above_})
+    links->resize (rows_[1].blocks() * PointRow::block_size);
+  for (int v = 0; v < points_.height; ++v) {
+    PointRow &row = rows_[v % 2], &row_above = rows_[1 - v % 2];
+    row.load (points_, v);
+    const auto first = static_cast<std::uint32_t> (v * points_.width);
+    placeRow (row, bases_, parameters_, &place_[first], has_above_.data());
+    linkRow (
+        row, row_above, limit, has_above_.data(), to_left_.data(), to_above_.data());
+    joinRow (first, selected);
   }
 }
 
-/** Points that are not measured are nowhere or outside, where they are close to none. */
-ObjectClusters::Place
-ObjectClusters::placeOf (const float* p) const
+void
+ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& selected)
 {
-  for (const Base& base : bases_) {
-    const float height = base.plane.distance (p);
-    if (std::fabs (height) > parameters_.max_object_height)
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  if (!selected.empty())
+    for (std::uint32_t u = 0; u < width; ++u)
+      if (!selected[first + u])
+        place_[first + u] = nowhere;
+  for (std::uint32_t u = 0; u < width; ++u) {
+    if (u % PointRow::block_size == 0 && !has_above_[u / PointRow::block_size]) {
+      u += PointRow::block_size - 1;
       continue;
-    // Most points of a frame; outside of the hull it makes no difference for them.
-    if (isWithinNoise (p, base.plane, height, parameters_))
+    }
+    const std::uint32_t i = first + u;
+    if (place_[i] < above)
+      continue;
+    place_[i] = settle (points_[i], place_[i] - std::size_t{above});
+    if (place_[i] < above)
+      continue;
+    auto run = static_cast<std::uint32_t> (runs_.size());
+    if (u > 0 && place_[i - 1] == place_[i] && to_left_[u])
+      --run;
+    else {
+      sets_.resize (run + std::size_t{1});
+      sets_.add (run);
+      runs_.push_back ({i, 0, 0});
+    }
+    ++runs_[run].length;
+    if (first > 0 && place_[i - width] == place_[i] && to_above_[u])
+      sets_.join (run_above_[u], run);
+    run_above_[u] = run;
+  }
+}
+
+/** The place of a point that may be above one of the bases, but above none before. Points that
+ * are not measured are nowhere or outside, where they are close to none. */
+ObjectClusters::Place
+ObjectClusters::settle (const float* p, std::size_t base) const
+{
+  if (bases_[base]->outline.contains (bases_[base]->project (p))) {
+    if (!isMeasured (p))
       return nowhere;
-    const Level level = levelOf (p, (*supports_)[base.support], parameters_);
-    if (level == Level::above && !isMeasured (p))
+    return isUnder (base, p) ? outside : static_cast<Place> (above + base);
+  }
+  while (++base < bases_.size()) {
+    const Plane& plane = bases_[base]->plane;
+    const float height = plane.distance (p);
+    if (!(std::fabs (height) <= parameters_.max_object_height))
+      continue;
+    // Outside of the hull it makes no difference.
+    if (mayBeOnPlane (p, plane, height, parameters_))
       return nowhere;
-    if (level == Level::above)
-      return isUnder (base.support, p) ? outside
-                                       : static_cast<Place> (above + base.support);
+    if (height > 0.f)
+      return settle (p, base);
   }
   return outside;
 }
 
 bool
-ObjectClusters::isUnder (std::size_t support, const float* p) const
+ObjectClusters::isUnder (std::size_t base, const float* p) const
 {
-  for (std::size_t k = 0; k < support; ++k) {
-    const SupportPlane& higher = (*supports_)[k];
-    if (!higher.is_on_object && higher.outline.contains (higher.project (p)))
-      return true;
-  }
-  return false;
+  return std::any_of (bases_.begin(),
+                      bases_.begin() + static_cast<std::ptrdiff_t> (base),
+                      [&] (const SupportPlane* higher) {
+                        return higher->outline.contains (higher->project (p));
+                      });
 }
 
 bool
@@ -129,51 +181,42 @@ ObjectClusters::areClose (std::uint32_t i, std::uint32_t j) const
 }
 
 void
-ObjectClusters::joinNeighbours()
-{
-  sets_.resize (points_.size());
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  for (const std::uint32_t i : candidates_) {
-    sets_.add (i);
-    if (i % width > 0 && place_[i - 1] == place_[i] && areClose (i, i - 1))
-      sets_.join (i, i - 1);
-    if (i >= width && place_[i - width] == place_[i] && areClose (i, i - width))
-      sets_.join (i, i - width);
-  }
-}
-
-void
 ObjectClusters::sumUp()
 {
-  set_number_.resize (points_.size());
-  for (const std::uint32_t i : candidates_) {
-    const std::uint32_t root = sets_.root (i);
-    const std::size_t k = place_[i] - std::size_t{above};
-    if (root == i) {
-      set_number_[root] = static_cast<std::uint32_t> (sums_.size());
+  for (std::uint32_t k = 0; k < runs_.size(); ++k) {
+    Run& run = runs_[k];
+    const std::uint32_t root = sets_.root (k);
+    if (root == k) {
+      run.set = sums_.size();
       sums_.emplace_back();
-      sums_.back().support = k;
+      sums_.back().support = static_cast<std::size_t> (
+          bases_[place_[run.first] - std::size_t{above}] - supports_->data());
     }
-    Sums& sums = sums_[set_number_[root]];
-    ++sums.points;
-    sums.leaks += leaks (i);
-    const SupportPlane& support = (*supports_)[k];
-    const float noise =
-        clear_sigmas * support.heightSigma (points_[i], parameters_.noise);
-    sums.clear += support.plane.distance (points_[i]) >=
-                  std::max (parameters_.min_object_height, noise);
+    else
+      run.set = runs_[root].set;
+    Sums& sums = sums_[run.set];
+    sums.points += run.length;
+    const Plane& plane = (*supports_)[sums.support].plane;
+    for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
+      sums.leaks += leaks (run, i);
+      const float height = plane.distance (points_[i]);
+      sums.clear +=
+          height >= parameters_.min_object_height &&
+          !isWithinNoise (points_[i], plane, height, clear_sigmas, parameters_.noise);
+    }
   }
 }
 
+/** Whether a point of a run hangs together with one outside. */
 bool
-ObjectClusters::leaks (std::uint32_t i) const
+ObjectClusters::leaks (const Run& run, std::uint32_t i) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
   const auto leaksTo = [&] (std::uint32_t j) {
     return place_[j] == outside && areClose (i, j);
   };
-  return (i % width > 0 && leaksTo (i - 1)) ||
-         (i % width + 1 < width && leaksTo (i + 1)) ||
+  return (i == run.first && i % width > 0 && leaksTo (i - 1)) ||
+         (i + 1 == run.first + run.length && (i + 1) % width > 0 && leaksTo (i + 1)) ||
          (i >= width && leaksTo (i - width)) ||
          (i + width < points_.size() && leaksTo (i + width));
 }
@@ -204,10 +247,16 @@ ObjectClusters::collect()
     clusters_[sums.cluster].support = sums.support;
   }
   clusters_.resize (count);
-  for (const std::uint32_t i : candidates_) {
-    const std::size_t cluster = sums_[set_number_[sets_.root (i)]].cluster;
-    if (cluster != none)
-      clusters_[cluster].indices.push_back (static_cast<pcl::index_t> (i));
+  for (const Run& run : runs_) {
+    const std::size_t cluster = sums_[run.set].cluster;
+    if (cluster == none)
+      continue;
+    auto& indices = clusters_[cluster].indices;
+    const std::size_t before = indices.size();
+    indices.resize (before + run.length);
+    std::iota (indices.begin() + static_cast<std::ptrdiff_t> (before),
+               indices.end(),
+               static_cast<pcl::index_t> (run.first));
   }
 }
 

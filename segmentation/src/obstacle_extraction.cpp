@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "obstacle_kernels.h"
+
 #include <pcl/segmentation/obstacle_extraction.h>
 
 #include <algorithm>
@@ -71,14 +73,21 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
     obstacles[k].indices.reserve (sizes[k]);
   }
   nearest_.assign (sizes.size(), std::numeric_limits<float>::infinity());
-  for (auto* coordinate : {&base_.x, &base_.y, &base_.z})
-    coordinate->resize (static_cast<std::size_t> (points.width));
   scan_builder_.start (parameters.scan, scan_);
-  for (const auto& run : clusters_.runs())
-    if (run.cluster != ObstacleClusters::none) {
-      moveToBase (points, run, parameters.camera_to_base);
-      addRun (run, obstacles[run.cluster]);
+  std::size_t row_end = 0;
+  for (const auto& run : clusters_.runs()) {
+    if (run.cluster == ObstacleClusters::none)
+      continue;
+    const auto width = static_cast<std::size_t> (points.width);
+    if (run.first >= row_end) {
+      moveToBase (points, run.first / width, parameters.camera_to_base);
+      row_end = (run.first / width + 1) * width;
     }
+    const std::size_t column = run.first + width - row_end;
+    if (classes_[run.first] == ObstacleClass::drop_off)
+      followToFloor (points, run, column, parameters.camera_to_base.translation());
+    addRun (run, column, obstacles[run.cluster]);
+  }
   scan_builder_.finish();
   for (auto& obstacle : obstacles) {
     obstacle.distance = obstacle.nearest.head<2>().norm();
@@ -92,28 +101,37 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
 
 void
 ObstacleExtraction::moveToBase (const OrganizedPoints& points,
-                                const ObstacleClusters::Run& run,
+                                std::size_t row,
                                 const Eigen::Affine3f& camera_to_base)
 {
-  const Eigen::Matrix4f m = camera_to_base.matrix();
-  const Eigen::Vector4f floor = floor_.coefficients();
-  // The ray to a drop-off is followed to where it meets the floor.
-  const bool is_drop_off = classes_[run.first] == ObstacleClass::drop_off;
-  float* x = base_.x.data();
-  float* y = base_.y.data();
-  float* z = base_.z.data();
+  row_.load (points, static_cast<int> (row));
+  for (auto& coordinate : base_)
+    coordinate.resize (row_.size());
+  moveRow (row_, camera_to_base, {base_[0].data(), base_[1].data(), base_[2].data()});
+}
+
+/** Moves points of a drop-off along their rays to where these meet the floor. */
+void
+ObstacleExtraction::followToFloor (const OrganizedPoints& points,
+                                   const ObstacleClusters::Run& run,
+                                   std::size_t column,
+                                   const Eigen::Vector3f& camera)
+{
+  const Eigen::Vector4f& floor = floor_.coefficients();
   for (std::size_t i = 0; i < run.length; ++i) {
-    const float* p = points[run.first + i];
-    const float to_floor = floor[3] / (floor[3] - heightAbove (floor, p));
-    const float scale = is_drop_off ? to_floor : 1.f;
-    x[i] = scale * (m (0, 0) * p[0] + m (0, 1) * p[1] + m (0, 2) * p[2]) + m (0, 3);
-    y[i] = scale * (m (1, 0) * p[0] + m (1, 1) * p[1] + m (1, 2) * p[2]) + m (1, 3);
-    z[i] = scale * (m (2, 0) * p[0] + m (2, 1) * p[1] + m (2, 2) * p[2]) + m (2, 3);
+    const float height = heightAbove (floor, points[run.first + i]);
+    const float scale = floor[3] / (floor[3] - height);
+    for (int k = 0; k < 3; ++k) {
+      float& coordinate = base_[static_cast<std::size_t> (k)][column + i];
+      coordinate = camera[k] + scale * (coordinate - camera[k]);
+    }
   }
 }
 
 void
-ObstacleExtraction::addRun (const ObstacleClusters::Run& run, Obstacle& obstacle)
+ObstacleExtraction::addRun (const ObstacleClusters::Run& run,
+                            std::size_t column,
+                            Obstacle& obstacle)
 {
   obstacle.kind = classes_[run.first] == ObstacleClass::drop_off
                       ? Obstacle::Kind::drop_off
@@ -123,14 +141,14 @@ ObstacleExtraction::addRun (const ObstacleClusters::Run& run, Obstacle& obstacle
   std::iota (obstacle.indices.begin() + static_cast<std::ptrdiff_t> (before),
              obstacle.indices.end(),
              static_cast<pcl::index_t> (run.first));
-  scan_builder_.add (base_.x.data(), base_.y.data(), base_.z.data(), run.length);
+  const float *x = &base_[0][column], *y = &base_[1][column], *z = &base_[2][column];
+  scan_builder_.add (x, y, z, run.length);
   float nearest = nearest_[run.cluster];
   for (std::size_t i = 0; i < run.length; ++i) {
-    const float x = base_.x[i], y = base_.y[i], z = base_.z[i];
-    const float squared = x * x + y * y;
+    const float squared = x[i] * x[i] + y[i] * y[i];
     if (squared < nearest) {
       nearest = squared;
-      obstacle.nearest = {x, y, z};
+      obstacle.nearest = {x[i], y[i], z[i]};
     }
   }
   nearest_[run.cluster] = nearest;

@@ -16,8 +16,6 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Ints = hn::RebindToSigned<Floats>;
-
 HWY_INLINE hn::Vec<Ints>
 setInts (std::uint32_t value)
 {

@@ -13,6 +13,8 @@
 #include "plane_kernels.h"
 #include <hwy/highway.h>
 
+#include <pcl/segmentation/point_row.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -24,6 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, PlaneSamples::tile_size>;
 using V = hn::Vec<Floats>;
 using Mask = hn::Mask<Floats>;
+using Ints = hn::RebindToSigned<Floats>;
 
 HWY_INLINE V
 set (float value)
@@ -40,6 +43,12 @@ load (const float* from)
 struct Points {
   V x, y, z;
 };
+
+HWY_INLINE Points
+load (const PointRow& row, std::ptrdiff_t i)
+{
+  return {load (row.x() + i), load (row.y() + i), load (row.z() + i)};
+}
 
 HWY_INLINE V
 dot (const PlaneEquation& plane, const Points& p)

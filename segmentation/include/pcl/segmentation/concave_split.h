@@ -11,6 +11,44 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The points of clusters, each coordinate in an image of its own with a margin around
+ * it, so that loops over blocks of points fill vectors and need not look out for the border. */
+class ClusterImage {
+public:
+  static constexpr std::uint32_t block_size = 16;
+  static constexpr std::uint32_t margin = 5;
+
+  void
+  resize (int width, int height);
+
+  /** \brief Where a point of the cloud is in the image. */
+  std::uint32_t
+  place (std::uint32_t point) const
+  {
+    return first_ + point / width_ * stride_ + point % width_;
+  }
+
+  /** \brief From one row to the next. */
+  std::uint32_t
+  stride () const
+  {
+    return stride_;
+  }
+
+  std::size_t
+  size () const
+  {
+    return owner.size();
+  }
+
+  std::vector<float> x, y, z, normal_x, normal_y,
+      normal_z;                     /**< where there is an owner */
+  std::vector<std::uint32_t> owner; /**< the cluster of each point, from 1 on, or 0 */
+
+private:
+  std::uint32_t width_ = 0, stride_ = 0, first_ = 0;
+};
+
 /** \brief Splits clusters of touching objects along concave edges and steps.
  *
  * Objects are convex for the most part, and where two of them touch, the surface of one
@@ -42,19 +80,12 @@ public:
 
 private:
   void
-  markOwners (const std::vector<ObjectCluster>& clusters);
+  layOut (const OrganizedPoints& points,
+          const OrganizedNormals& normals,
+          const std::vector<ObjectCluster>& clusters);
 
   void
-  markCuts (const std::vector<ObjectCluster>& clusters);
-
-  bool
-  isCut (std::uint32_t i) const;
-
-  bool
-  isStep (std::uint32_t i, std::uint32_t j) const;
-
-  void
-  joinUncut (const std::vector<ObjectCluster>& clusters);
+  joinUncut ();
 
   void
   startParts (const std::vector<ObjectCluster>& clusters);
@@ -69,7 +100,8 @@ private:
   partWithPlane (const pcl::Indices& inliers);
 
   void
-  settle (const std::vector<SegmentedPlane>& planes,
+  settle (const OrganizedPoints& points,
+          const std::vector<SegmentedPlane>& planes,
           const std::vector<SupportPlane>& supports,
           std::vector<ObjectCluster>& clusters);
 
@@ -78,17 +110,17 @@ private:
   void
   visitNeighbours (std::uint32_t i, const Visit& visit) const;
 
-  OrganizedPoints points_;
-  OrganizedNormals normals_;
-  float pixel_angle_ = 0.f;
   ObjectParameters parameters_;
-  std::vector<std::uint32_t> owner_; // the cluster of each point, from 1 on, or 0
+  ClusterImage image_;
+  /** The points of all clusters one after another, as places in the image. */
+  std::vector<std::uint32_t> places_;
   std::vector<std::uint8_t> cut_;
   DisjointSets sets_;
   std::vector<std::uint32_t> patch_size_; // at the root of each patch
   std::vector<std::uint32_t> part_;       // of each point, from 1 on, or 0
   std::vector<std::size_t> part_support_;
   std::vector<std::uint32_t> queue_;
+  std::vector<ObjectCluster> parts_;
   std::vector<std::size_t> plane_points_; // of a plane in each part
 };
 

@@ -5,7 +5,7 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
@@ -13,7 +13,8 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief The convex hull of points of a plane (Andrew's monotone chain, 1979) in O(n log n).
- * \param[in,out] points any order, repeated ones are fine; comes back sorted
+ * \param[in,out] points any order, repeated ones are fine; comes back sorted, without
+ * most of those inside
  * \param[out] corners counterclockwise; fewer than 3 where the points lie on a line
  */
 PCL_RGBD_PLANES_EXPORTS void
@@ -39,29 +40,42 @@ public:
     return corners_;
   }
 
+  /** \brief The smallest rectangle along the axes that holds the hull and the tolerance; empty
+   * without points. */
+  const Eigen::AlignedBox2f&
+  bounds () const
+  {
+    return bounds_;
+  }
+
   /** \brief Whether \a point lies in the hull or at most the tolerance outside; the
    * tolerance may fall short by 2 % at corners. */
   bool
   contains (const Eigen::Vector2f& point) const;
 
 private:
-  /** \brief A border from left to right, with steps of equal width that know where to
-   * start. */
+  /** \brief A border from left to right, in steps of equal width. */
   struct Chain {
-    std::vector<Eigen::Vector2f> points;
-    std::vector<int> first; // of the edge that holds the left end of a step
+    struct Step {
+      std::size_t edge = 0;        /**< that holds the left end */
+      float low = 0.f, high = 0.f; /**< of the border */
+    };
 
     void
     index (float left, float steps_per_unit);
 
     float
-    at (float x, std::size_t step) const;
+    at (float x, std::size_t edge) const;
+
+    std::vector<Eigen::Vector2f> points;
+    std::vector<Step> steps;
   };
 
   std::vector<Eigen::Vector2f> corners_;
   std::vector<Eigen::Vector2f> grown_;
   Chain lower_, upper_;
-  float left_ = 0.f, right_ = -1.f, steps_per_unit_ = 0.f;
+  Eigen::AlignedBox2f bounds_;
+  float steps_per_unit_ = 0.f;
 };
 
 } // namespace rgbd_planes

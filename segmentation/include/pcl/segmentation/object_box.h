@@ -36,6 +36,7 @@ public:
 private:
   std::vector<Eigen::Vector2f> projected_;
   std::vector<float> values_;
+  std::vector<Eigen::Vector2f> border_;
   std::vector<Eigen::Vector2f> hull_;
 };
 

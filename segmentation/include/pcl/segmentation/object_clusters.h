@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/segmentation/disjoint_sets.h>
+#include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/support_planes.h>
 
 #include <cstdint>
@@ -51,13 +52,14 @@ public:
   }
 
 private:
-  /** \brief Where a point is: from \ref above on, above that one of the supporting planes. */
+  /** \brief Where a point is: from \ref above on, above that one of the bases. */
   enum Place : std::uint8_t { nowhere, outside, above };
 
-  /** \brief A plane that is not on an object. */
-  struct Base {
-    Plane plane;
-    std::size_t support = 0; /**< among the supporting planes */
+  /** \brief Points of a row that hang together, above the same plane. */
+  struct Run {
+    std::uint32_t first = 0;
+    std::uint32_t length = 0;
+    std::size_t set = 0; /**< of runs that hang together */
   };
 
   /** \brief What decides whether a cluster is an object. */
@@ -73,25 +75,25 @@ private:
   measurePixelAngle ();
 
   void
-  placePoints (const std::vector<std::uint8_t>& selected);
+  findRuns (const std::vector<std::uint8_t>& selected);
+
+  void
+  joinRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
 
   Place
-  placeOf (const float* p) const;
+  settle (const float* p, std::size_t base) const;
 
   bool
-  isUnder (std::size_t support, const float* p) const;
+  isUnder (std::size_t base, const float* p) const;
 
   bool
   areClose (std::uint32_t i, std::uint32_t j) const;
 
   void
-  joinNeighbours ();
-
-  void
   sumUp ();
 
   bool
-  leaks (std::uint32_t i) const;
+  leaks (const Run& run, std::uint32_t i) const;
 
   bool
   isObject (const Sums& sums) const;
@@ -102,12 +104,16 @@ private:
   OrganizedPoints points_;
   const std::vector<SupportPlane>* supports_ = nullptr;
   ObjectParameters parameters_;
-  std::vector<Base> bases_;
   float pixel_angle_ = 0.f;
+  std::vector<const SupportPlane*> bases_; // those that are not on an object
+  PointRow rows_[2];
+  std::vector<std::uint8_t> has_above_; // of the blocks of a row
+  std::vector<std::uint8_t> to_left_,
+      to_above_;                         // of its points: whether they are close
+  std::vector<std::uint32_t> run_above_; // of the last point of each column
   std::vector<std::uint8_t> place_;
-  std::vector<std::uint32_t> candidates_;
-  DisjointSets sets_;
-  std::vector<std::uint32_t> set_number_; // at the root of each set
+  std::vector<Run> runs_;
+  DisjointSets sets_; // of runs
   std::vector<Sums> sums_;
   std::vector<ObjectCluster> clusters_;
 };

@@ -15,6 +15,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -86,11 +87,17 @@ private:
 
   void
   moveToBase (const OrganizedPoints& points,
-              const ObstacleClusters::Run& run,
+              std::size_t row,
               const Eigen::Affine3f& camera_to_base);
 
   void
-  addRun (const ObstacleClusters::Run& run, Obstacle& obstacle);
+  followToFloor (const OrganizedPoints& points,
+                 const ObstacleClusters::Run& run,
+                 std::size_t column,
+                 const Eigen::Vector3f& camera);
+
+  void
+  addRun (const ObstacleClusters::Run& run, std::size_t column, Obstacle& obstacle);
 
   FloorPlane floor_;
   ObstaclePoints point_classes_;
@@ -98,11 +105,9 @@ private:
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  /** The points of a run in the base frame. */
-  struct {
-    std::vector<float> x, y, z;
-  } base_;
-  std::vector<float> nearest_; // squared distance of each obstacle
+  PointRow row_;
+  std::array<std::vector<float>, 3> base_; // the points of a row in the base frame
+  std::vector<float> nearest_;             // squared distance of each obstacle
 };
 
 } // namespace rgbd_planes

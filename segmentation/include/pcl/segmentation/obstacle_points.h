@@ -7,6 +7,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/segmentation/floor_plane.h>
+#include <pcl/segmentation/point_row.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +39,20 @@ struct ObstacleFrame {
   const std::uint8_t* selected = nullptr;
 };
 
+/** \brief The points of a row, and sums over the points of each column in a few rows that
+ * may be floor; all as long as a PointRow. */
+struct ObstacleRow {
+  std::vector<float> height;
+  std::vector<float>
+      variance; /**< of the height; NaN or Inf where nothing is measured */
+  std::vector<std::uint8_t> what; /**< unmeasured, floor, obstacle or drop_off */
+
+  std::vector<float> height_sum;
+  std::vector<float> variance_sum;
+  std::vector<float> points;
+  std::vector<float> high; /**< points high enough for a low obstacle */
+};
+
 /** \brief Tells the floor from all else, point by point (Holz et al. 2011, section 5.1).
  *
  * A point is an obstacle when it is further above the floor than noise explains; when the
@@ -64,33 +79,16 @@ private:
   struct Cell {
     float height = 0.f;
     float variance = 0.f; // of the height
-    std::uint16_t points = 0;
-    std::uint16_t high = 0;   // points high enough for a low obstacle
-    std::uint16_t differ = 0; // 1 where its first point is on another surface
-
-    Cell&
-    operator+= (const Cell& other);
-  };
-
-  /** The points of a row. */
-  struct Row {
-    std::vector<float> height;
-    std::vector<float> variance; // of the height; NaN or Inf where nothing is measured
-    std::vector<int> high;       // 1 for points high enough for a low obstacle
-    std::vector<int> result;     // their class
+    float points = 0.f;
+    float high = 0.f;   // points high enough for a low obstacle
+    float differ = 0.f; // 1 where its first point is on another surface
   };
 
   void
   prepare (const OrganizedPoints& points);
 
   void
-  measureRow (const ObstacleFrame& frame, std::size_t first);
-
-  void
-  classifyRow (std::size_t first, std::vector<ObstacleClass>& classes);
-
-  void
-  sumRow (Cell* cells) const;
+  sumColumns (Cell* cells);
 
   void
   sampleRow (const ObstacleFrame& frame, std::size_t first, Cell* cells) const;
@@ -117,7 +115,8 @@ private:
   int cells_u_ = 0;
   int cells_v_ = 0;
   std::vector<Cell> cells_;
-  Row row_;
+  PointRow points_;
+  ObstacleRow row_;
 };
 
 } // namespace rgbd_planes

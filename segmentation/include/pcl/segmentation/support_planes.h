@@ -47,37 +47,39 @@ struct SupportPlane {
   {
     return q.x() * axis_x + q.y() * axis_y - plane.d * plane.normal;
   }
-
-  /** \brief Standard deviation of the height of \a p above the plane: depth errs along the
-   * ray, and only a part of that points up. */
-  float
-  heightSigma (const float* p, const DepthNoise& noise) const
-  {
-    const Eigen::Map<const Eigen::Vector3f> point (p);
-    const float squared = point.squaredNorm();
-    return noise.sigma (squared) * std::fabs (plane.normal.dot (point)) /
-           std::sqrt (squared);
-  }
 };
 
 /** \brief Where a point is with respect to a supporting plane. */
 enum class Level { elsewhere, on_plane, above };
 
-/** \brief Whether a point at \a height above \a plane may belong to it: within half the smallest
- * height of an object, or 2 standard deviations. */
+/** \brief Whether noise of up to \a sigmas standard deviations explains the \a height of a
+ * point above a plane: depth errs along the ray, and only a part of that points up. */
 inline bool
 isWithinNoise (const float* p,
                const Plane& plane,
                float height,
-               const ObjectParameters& parameters)
+               float sigmas,
+               const DepthNoise& noise)
 {
-  constexpr float sigmas = 2.f;
-  if (std::fabs (height) <= 0.5f * parameters.min_object_height)
-    return true;
-  // As SupportPlane::heightSigma(), without division and root.
+  // The ray of length 1 rises by (height - d) / range: without division and root.
   const float squared = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-  const float noise = sigmas * parameters.noise.sigma (squared) * (height - plane.d);
-  return height * height * squared <= noise * noise;
+  const float rise = sigmas * noise.sigma (squared) * (height - plane.d);
+  return height * height * squared <= rise * rise;
+}
+
+/** \brief Points so many standard deviations from a plane may belong to it. */
+constexpr float plane_sigmas = 2.f;
+
+/** \brief Whether a point at \a height above \a plane may belong to it: within half the smallest
+ * height of an object, or \ref plane_sigmas. */
+inline bool
+mayBeOnPlane (const float* p,
+              const Plane& plane,
+              float height,
+              const ObjectParameters& parameters)
+{
+  return std::fabs (height) <= 0.5f * parameters.min_object_height ||
+         isWithinNoise (p, plane, height, plane_sigmas, parameters.noise);
 }
 
 /** \brief Whether \a p lies on a plane, or up to the largest height of an object above it, in
@@ -91,7 +93,7 @@ levelOf (const float* p,
   if (height > parameters.max_object_height || height < -parameters.max_object_height ||
       !support.outline.contains (support.project (p)))
     return Level::elsewhere;
-  if (isWithinNoise (p, support.plane, height, parameters))
+  if (mayBeOnPlane (p, support.plane, height, parameters))
     return Level::on_plane;
   return height > 0.f ? Level::above : Level::elsewhere;
 }

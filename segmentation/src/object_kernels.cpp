@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "object_kernels.cpp"
+#include "simd_targets.h"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once for each set of instructions.
+#include "object_kernels.h"
+#include "plane_vectors-inl.h"
+
+#include <pcl/segmentation/support_planes.h>
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace rgbd_planes {
+namespace HWY_NAMESPACE {
+namespace {
+
+/** As mayBeOnPlane(). */
+HWY_INLINE Mask
+mayBeOnPlane (V height,
+              V projection,
+              V squared_range,
+              const ObjectParameters& parameters)
+{
+  const V sigma = hn::MulAdd (
+      squared_range, set (parameters.noise.quadratic), set (parameters.noise.constant));
+  const V noise = hn::Mul (hn::Mul (set (plane_sigmas), sigma), projection);
+  return hn::Or (hn::Le (hn::Abs (height), set (0.5f * parameters.min_object_height)),
+                 hn::Le (hn::Mul (hn::Mul (height, height), squared_range),
+                         hn::Mul (noise, noise)));
+}
+
+/** How far from a pixel the two points are that are compared. */
+constexpr float reach_m = 0.006f;
+constexpr float max_reach_px = 5.f;
+static_assert (max_reach_px <= ClusterImage::margin, "points lie inside of the image");
+/** A point is above the tangent plane of another one when it rises by this part of their
+ * distance, 17 degrees, and by more than noise: that many standard deviations of depth. */
+constexpr float min_rise = 0.3f;
+constexpr float min_rise_sigmas = 2.f;
+
+using Places = std::ptrdiff_t[4];
+
+/** From a point of \a block to the second one of each pair, in four directions. */
+HWY_INLINE void
+findSteps (const ClusterImage& image,
+           std::size_t block,
+           float pixel_angle,
+           Places& steps)
+{
+  const auto* owner = &image.owner[block];
+  const std::size_t i =
+      block +
+      static_cast<std::size_t> (std::find_if (owner,
+                                              owner + ClusterImage::block_size,
+                                              [] (std::uint32_t o) { return o != 0; }) -
+                                owner);
+  const float squared_range =
+      image.x[i] * image.x[i] + image.y[i] * image.y[i] + image.z[i] * image.z[i];
+  const float pixel_m = pixel_angle * std::sqrt (squared_range);
+  const float reach = std::min (reach_m / pixel_m, max_reach_px);
+  const std::ptrdiff_t far = std::max (std::lround (reach), 1l);
+  const std::ptrdiff_t near =
+      std::max (std::lround (0.7f * static_cast<float> (far)), 1l);
+  const std::ptrdiff_t stride = image.stride();
+  steps[0] = far;
+  steps[1] = far * stride;
+  steps[2] = near * stride + near;
+  steps[3] = near * stride - near;
+}
+
+/** The points of an image from place \a i on, with their normals. */
+struct Surface {
+  Points points, normals;
+
+  HWY_INLINE
+  Surface (const ClusterImage& image, std::ptrdiff_t i)
+  : points{load (image.x.data() + i),
+           load (image.y.data() + i),
+           load (image.z.data() + i)}
+  , normals{load (image.normal_x.data() + i),
+            load (image.normal_y.data() + i),
+            load (image.normal_z.data() + i)}
+  {}
+
+  /** Whether the points that lie \a difference away are above the tangent planes. */
+  HWY_INLINE Mask
+  isBelow (const Points& difference, const DepthNoise& noise) const
+  {
+    const V rise = hn::MulAdd (
+        normals.x,
+        difference.x,
+        hn::MulAdd (normals.y, difference.y, hn::Mul (normals.z, difference.z)));
+    const V sigma = hn::MulAdd (
+        squaredLength (points), set (noise.quadratic), set (noise.constant));
+    return hn::And (
+        hn::Gt (rise, hn::Mul (set (min_rise_sigmas), sigma)),
+        hn::Gt (hn::Mul (rise, rise),
+                hn::Mul (set (min_rise * min_rise), squaredLength (difference))));
+  }
+};
+
+HWY_INLINE Mask
+isCut (const ClusterImage& image,
+       std::ptrdiff_t i,
+       const Places& steps,
+       const DepthNoise& noise)
+{
+  const auto owner = [&] (std::ptrdiff_t j) {
+    return hn::LoadU (hn::RebindToUnsigned<Floats>(), image.owner.data() + j);
+  };
+  const auto own = owner (i);
+  Mask cut = hn::MaskFromVec (hn::Zero (Floats()));
+  for (const std::ptrdiff_t step : steps) {
+    const Surface a (image, i - step), b (image, i + step);
+    const Points forth{hn::Sub (b.points.x, a.points.x),
+                       hn::Sub (b.points.y, a.points.y),
+                       hn::Sub (b.points.z, a.points.z)};
+    const Points back{hn::Neg (forth.x), hn::Neg (forth.y), hn::Neg (forth.z)};
+    const Mask is_inside = hn::RebindMask (
+        Floats(),
+        hn::And (hn::Eq (owner (i - step), own), hn::Eq (owner (i + step), own)));
+    const Mask is_step = hn::Or (a.isBelow (forth, noise), b.isBelow (back, noise));
+    cut = hn::Or (cut, hn::And (is_inside, is_step));
+  }
+  return cut;
+}
+
+/** Whether points lie over the bounds of an outline. */
+HWY_INLINE Mask
+isOver (const SupportPlane& support, const Points& p)
+{
+  const Eigen::AlignedBox2f& bounds = support.outline.bounds();
+  const auto isBetween = [&] (const Eigen::Vector3f& axis, int side) {
+    const V along = dot ({axis[0], axis[1], axis[2], 0.f}, p);
+    return hn::And (hn::Ge (along, set (bounds.min()[side])),
+                    hn::Le (along, set (bounds.max()[side])));
+  };
+  return hn::And (isBetween (support.axis_x, 0), isBetween (support.axis_y, 1));
+}
+
+} // namespace
+
+void
+markCutsHere (const ClusterImage& image,
+              float pixel_angle,
+              const DepthNoise& noise,
+              std::vector<std::uint8_t>& cut)
+{
+  const hn::Rebind<std::uint8_t, Floats> bytes;
+  constexpr std::size_t block_size = ClusterImage::block_size;
+  cut.resize (image.size());
+  for (std::size_t block = 0; block + block_size <= image.size(); block += block_size) {
+    const auto* owner = &image.owner[block];
+    if (std::all_of (
+            owner, owner + block_size, [] (std::uint32_t o) { return o == 0; }))
+      continue;
+    Places steps;
+    findSteps (image, block, pixel_angle, steps);
+    for (std::size_t i = block; i < block + block_size; i += hn::Lanes (Floats())) {
+      const Mask is_cut = isCut (image, static_cast<std::ptrdiff_t> (i), steps, noise);
+      const auto one =
+          hn::IfThenElseZero (hn::RebindMask (Ints(), is_cut), hn::Set (Ints(), 1));
+      hn::StoreU (hn::DemoteTo (bytes, one), bytes, &cut[i]);
+    }
+  }
+}
+
+void
+placeRowHere (const PointRow& row,
+              const std::vector<const SupportPlane*>& planes,
+              const ObjectParameters& parameters,
+              std::uint8_t* places,
+              std::uint8_t* has_above)
+{
+  const hn::Rebind<std::uint8_t, Floats> bytes;
+  const auto nowhere = hn::Zero (Ints()), outside = hn::Set (Ints(), 1);
+  for (std::size_t block = 0; block < row.blocks(); ++block) {
+    bool any_above = false;
+    for (std::size_t k = 0; k < PointRow::block_size; k += hn::Lanes (Floats())) {
+      const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
+      const Points p = load (row, i);
+      const V squared_range = squaredLength (p);
+      auto place = outside;
+      Mask is_open = hn::Eq (p.x, p.x); // not NaN
+      for (std::size_t number = 0; number < planes.size(); ++number) {
+        const SupportPlane& support = *planes[number];
+        const V projection = dot (equationOf (support.plane), p);
+        const V height = hn::Add (projection, set (support.plane.d));
+        const Mask is_near = hn::And (
+            is_open, hn::Le (hn::Abs (height), set (parameters.max_object_height)));
+        const Mask is_on = hn::And (
+            is_near, mayBeOnPlane (height, projection, squared_range, parameters));
+        const Mask is_above = hn::And (hn::And (is_near, isOver (support, p)),
+                                       hn::Gt (height, hn::Zero (Floats())));
+        const auto above = hn::Set (Ints(), static_cast<std::int32_t> (2 + number));
+        place = hn::IfThenElse (hn::RebindMask (Ints(), is_above), above, place);
+        place = hn::IfThenElse (hn::RebindMask (Ints(), is_on), nowhere, place);
+        is_open = hn::AndNot (hn::Or (is_on, is_above), is_open);
+      }
+      any_above |= !hn::AllFalse (Ints(), hn::Gt (place, outside));
+      hn::StoreU (hn::DemoteTo (bytes, place), bytes, places + i);
+    }
+    has_above[block] = any_above;
+  }
+}
+
+void
+linkRowHere (const PointRow& row,
+             const PointRow& row_above,
+             const LinkLimit& limit,
+             const std::uint8_t* blocks,
+             std::uint8_t* to_left,
+             std::uint8_t* to_above)
+{
+  const hn::Rebind<std::uint8_t, Floats> bytes;
+  const auto one = hn::Set (Ints(), 1);
+  for (std::size_t block = 0; block < row.blocks(); ++block) {
+    if (!blocks[block])
+      continue;
+    for (std::size_t k = 0; k < PointRow::block_size; k += hn::Lanes (Floats())) {
+      const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
+      const Points p = load (row, i);
+      const V squared_range = squaredLength (p);
+      const V sigma = hn::MulAdd (
+          squared_range, set (limit.noise.quadratic), set (limit.noise.constant));
+      const V far = hn::MulAdd (set (limit.slope),
+                                hn::Sqrt (squared_range),
+                                hn::Mul (set (limit.sigmas), sigma));
+      const auto storeLinks = [&] (const Points& q, std::uint8_t* links) {
+        const V squared_distance = squaredLength (
+            {hn::Sub (p.x, q.x), hn::Sub (p.y, q.y), hn::Sub (p.z, q.z)});
+        const auto is_close =
+            hn::RebindMask (Ints(), hn::Le (squared_distance, hn::Mul (far, far)));
+        hn::StoreU (
+            hn::DemoteTo (bytes, hn::IfThenElseZero (is_close, one)), bytes, links + i);
+      };
+      storeLinks (load (row, i - 1), to_left);
+      storeLinks (load (row_above, i), to_above);
+    }
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rgbd_planes
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pcl {
+namespace rgbd_planes {
+
+HWY_EXPORT (markCutsHere);
+HWY_EXPORT (placeRowHere);
+HWY_EXPORT (linkRowHere);
+
+void
+markCuts (const ClusterImage& image,
+          float pixel_angle,
+          const DepthNoise& noise,
+          std::vector<std::uint8_t>& cut)
+{
+  HWY_DYNAMIC_DISPATCH (markCutsHere) (image, pixel_angle, noise, cut);
+}
+
+void
+placeRow (const PointRow& row,
+          const std::vector<const SupportPlane*>& planes,
+          const ObjectParameters& parameters,
+          std::uint8_t* places,
+          std::uint8_t* has_above)
+{
+  HWY_DYNAMIC_DISPATCH (placeRowHere)
+  (row, planes, parameters, places, has_above);
+}
+
+void
+linkRow (const PointRow& row,
+         const PointRow& row_above,
+         const LinkLimit& limit,
+         const std::uint8_t* blocks,
+         std::uint8_t* to_left,
+         std::uint8_t* to_above)
+{
+  HWY_DYNAMIC_DISPATCH (linkRowHere) (row, row_above, limit, blocks, to_left, to_above);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
+#endif

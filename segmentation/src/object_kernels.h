@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include "plane_kernels.h"
+
+#include <pcl/segmentation/concave_split.h>
+#include <pcl/segmentation/object_parameters.h>
+#include <pcl/segmentation/point_row.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** For each point, the first of \a planes to which it is no further than the largest height
+ * of an object, and over whose outline's bounds it lies if it does not lie on the plane.
+ * \param[out] places 0 where the point is on that plane within noise, 1 where there is no
+ * such plane, 2 + k where it is above the plane number k
+ * \param[out] has_above whether there is a point above a plane, for each block of the row
+ */
+void
+placeRow (const PointRow& row,
+          const std::vector<const SupportPlane*>& planes,
+          const ObjectParameters& parameters,
+          std::uint8_t* places,
+          std::uint8_t* has_above);
+
+/** How far apart neighbouring points of one object may be. */
+struct LinkLimit {
+  /** Metres for each metre of range. */
+  float slope = 0.f;
+  /** Standard deviations of depth. */
+  float sigmas = 0.f;
+  DepthNoise noise;
+};
+
+/** Whether each point of a row is close to the one before, and to the one above it.
+ * \param[in] blocks not 0 for the blocks of the row to look at; others are left alone
+ */
+void
+linkRow (const PointRow& row,
+         const PointRow& row_above,
+         const LinkLimit& limit,
+         const std::uint8_t* blocks,
+         std::uint8_t* to_left,
+         std::uint8_t* to_above);
+
+/** Cuts points of clusters where, of two points of the cluster on opposite sides, one lies
+ * above the tangent plane of the other.
+ * \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians
+ * \param[out] cut whether each point of the image is cut, where it has an owner
+ */
+void
+markCuts (const ClusterImage& image,
+          float pixel_angle,
+          const DepthNoise& noise,
+          std::vector<std::uint8_t>& cut);
+
+} // namespace rgbd_planes
+} // namespace pcl
