@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/input_options.h>
 #include <pcl/apps/object_comparison.h>
 
 #include <boost/program_options/options_description.hpp>

@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/input_options.h>
 #include <pcl/apps/plane_comparison.h>
 #include <pcl/apps/plane_comparison_table.h>
 

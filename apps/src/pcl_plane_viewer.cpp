@@ -16,6 +16,9 @@
 
 #include <cmath>
 #include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace po = boost::program_options;
 using namespace pcl::rgbd_planes;

@@ -10,6 +10,8 @@
 
 #include <boost/format.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace pcl {
