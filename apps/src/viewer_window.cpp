@@ -66,6 +66,11 @@ protected:
       Superclass::OnChar();
   }
 
+  /** PCL would draw. */
+  void
+  OnTimer () override
+  {}
+
 private:
   ViewerWindow::KeyHandler take_key_;
   bool taken_ = false;
@@ -121,6 +126,7 @@ ViewerWindow::ViewerWindow (KeyHandler take_key, PickHandler take_point)
   renderer->AddActor2D (status_);
   renderer->AddActor2D (help_);
   showLines ({});
+  interactor().CreateRepeatingTimer (1); // without, ProcessEvents() waits for an event
 }
 
 ViewerWindow::~ViewerWindow() = default;

@@ -56,7 +56,7 @@ public:
   void
   render ();
 
-  /** \brief Handles what the user did since the last call. */
+  /** \brief Handles what the user did since the last call, without waiting for more. */
   void
   processEvents ();
 
