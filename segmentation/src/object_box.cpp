@@ -62,7 +62,7 @@ Range
 trimmedRange (const std::vector<float>& values)
 {
   constexpr auto max_trimmed =
-      static_cast<std::size_t> (2.f * trimmed_part * float{max_points});
+      static_cast<std::size_t> (trimmed_part * float{max_points});
   std::array<float, max_trimmed + 1> lowest, highest;
   const auto trimmed =
       static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
@@ -85,7 +85,7 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
 {
   projected_.clear();
   values_.clear();
-  const std::size_t step = std::max<std::size_t> (indices.size() / max_points, 1);
+  const std::size_t step = (indices.size() + max_points - 1) / max_points;
   for (std::size_t k = 0; k < indices.size(); k += step) {
     const float* p = points[static_cast<std::size_t> (indices[k])];
     projected_.push_back (support.project (p));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "link_kernels.h"
 #include "object_kernels.h"
 
 #include <pcl/segmentation/object_clusters.h>
@@ -85,7 +86,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
   place_.resize (points_.size() + PointRow::block_size);
   run_above_.resize (static_cast<std::size_t> (points_.width));
   const LinkLimit limit{
-      stretch * pixel_angle_, parameters_.cluster_tolerance, parameters_.noise};
+      0.f, stretch * pixel_angle_, parameters_.cluster_tolerance, parameters_.noise};
   rows_[1].load (points_, 0);
   has_above_.resize (rows_[1].blocks());
   for (auto* links : {&to_left_, &to_above_})

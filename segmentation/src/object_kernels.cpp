@@ -210,42 +210,6 @@ placeRowHere (const PointRow& row,
   }
 }
 
-void
-linkRowHere (const PointRow& row,
-             const PointRow& row_above,
-             const LinkLimit& limit,
-             const std::uint8_t* blocks,
-             std::uint8_t* to_left,
-             std::uint8_t* to_above)
-{
-  const hn::Rebind<std::uint8_t, Floats> bytes;
-  const auto one = hn::Set (Ints(), 1);
-  for (std::size_t block = 0; block < row.blocks(); ++block) {
-    if (!blocks[block])
-      continue;
-    for (std::size_t k = 0; k < PointRow::block_size; k += hn::Lanes (Floats())) {
-      const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
-      const Points p = load (row, i);
-      const V squared_range = squaredLength (p);
-      const V sigma = hn::MulAdd (
-          squared_range, set (limit.noise.quadratic), set (limit.noise.constant));
-      const V far = hn::MulAdd (set (limit.slope),
-                                hn::Sqrt (squared_range),
-                                hn::Mul (set (limit.sigmas), sigma));
-      const auto storeLinks = [&] (const Points& q, std::uint8_t* links) {
-        const V squared_distance = squaredLength (
-            {hn::Sub (p.x, q.x), hn::Sub (p.y, q.y), hn::Sub (p.z, q.z)});
-        const auto is_close =
-            hn::RebindMask (Ints(), hn::Le (squared_distance, hn::Mul (far, far)));
-        hn::StoreU (
-            hn::DemoteTo (bytes, hn::IfThenElseZero (is_close, one)), bytes, links + i);
-      };
-      storeLinks (load (row, i - 1), to_left);
-      storeLinks (load (row_above, i), to_above);
-    }
-  }
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace rgbd_planes
 } // namespace pcl
@@ -257,7 +221,6 @@ namespace rgbd_planes {
 
 HWY_EXPORT (markCutsHere);
 HWY_EXPORT (placeRowHere);
-HWY_EXPORT (linkRowHere);
 
 void
 markCuts (const ClusterImage& image,
@@ -277,17 +240,6 @@ placeRow (const PointRow& row,
 {
   HWY_DYNAMIC_DISPATCH (placeRowHere)
   (row, planes, parameters, places, has_above);
-}
-
-void
-linkRow (const PointRow& row,
-         const PointRow& row_above,
-         const LinkLimit& limit,
-         const std::uint8_t* blocks,
-         std::uint8_t* to_left,
-         std::uint8_t* to_above)
-{
-  HWY_DYNAMIC_DISPATCH (linkRowHere) (row, row_above, limit, blocks, to_left, to_above);
 }
 
 } // namespace rgbd_planes

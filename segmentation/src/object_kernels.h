@@ -29,26 +29,6 @@ placeRow (const PointRow& row,
           std::uint8_t* places,
           std::uint8_t* has_above);
 
-/** How far apart neighbouring points of one object may be. */
-struct LinkLimit {
-  /** Metres for each metre of range. */
-  float slope = 0.f;
-  /** Standard deviations of depth. */
-  float sigmas = 0.f;
-  DepthNoise noise;
-};
-
-/** Whether each point of a row is close to the one before, and to the one above it.
- * \param[in] blocks not 0 for the blocks of the row to look at; others are left alone
- */
-void
-linkRow (const PointRow& row,
-         const PointRow& row_above,
-         const LinkLimit& limit,
-         const std::uint8_t* blocks,
-         std::uint8_t* to_left,
-         std::uint8_t* to_above);
-
 /** Cuts points of clusters where, of two points of the cluster on opposite sides, one lies
  * above the tangent plane of the other.
  * \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "link_kernels.h"
+
 #include <pcl/segmentation/obstacle_clusters.h>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ isAnObstacle (ObstacleClass c)
 }
 
 bool
-areConnected (const float* a, const float* b, const DepthNoise& noise)
+areClose (const float* a, const float* b, const DepthNoise& noise)
 {
   const float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   const float squared_range = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
@@ -31,19 +33,51 @@ areConnected (const float* a, const float* b, const DepthNoise& noise)
 } // namespace
 
 void
+ObstacleLinks::resize (const OrganizedPoints& points)
+{
+  width_ = static_cast<std::size_t> (points.width);
+  // The last block of a row may end in the next one, which is linked later.
+  for (auto* links : {&to_left_, &to_above_})
+    links->resize (points.size() + PointRow::block_size);
+}
+
+void
+ObstacleLinks::addRow (int v,
+                       const PointRow& row,
+                       const PointRow& row_above,
+                       const DepthNoise& noise)
+{
+  const std::size_t first = static_cast<std::size_t> (v) * width_;
+  linkRow (row,
+           row_above,
+           {max_gap_m, 0.f, max_gap_sigmas, noise},
+           nullptr,
+           &to_left_[first],
+           &to_above_[first]);
+}
+
+void
 ObstacleClusters::compute (const OrganizedPoints& points,
+                           const ObstacleLinks& links,
                            const DepthNoise& noise,
                            std::size_t min_points,
                            std::vector<ObstacleClass>& classes)
 {
   runs_.clear();
   const auto width = static_cast<std::size_t> (points.width);
+  const auto isBridged = [&] (std::size_t above, std::size_t below) {
+    return classes[above + width] == ObstacleClass::unmeasured &&
+           areClose (points[below], points[above], noise);
+  };
+  const auto isLinked = [&] (std::size_t, std::size_t below) {
+    return links.toAbove (below);
+  };
   std::size_t before_last = 0, last = 0; // where the rows above begin
   for (std::size_t row = 0; row < points.size(); row += width) {
     const std::size_t now = runs_.size();
-    findRuns (points, noise, row, classes);
-    joinRows (points, noise, {last, now}, now, 1, classes);
-    joinRows (points, noise, {before_last, last}, now, 2, classes);
+    findRuns (points, links, noise, row, classes);
+    joinRows ({last, now}, now, width, classes, isLinked);
+    joinRows ({before_last, last}, now, 2 * width, classes, isBridged);
     before_last = last;
     last = now;
   }
@@ -52,6 +86,7 @@ ObstacleClusters::compute (const OrganizedPoints& points,
 
 void
 ObstacleClusters::findRuns (const OrganizedPoints& points,
+                            const ObstacleLinks& links,
                             const DepthNoise& noise,
                             std::size_t row,
                             const std::vector<ObstacleClass>& classes)
@@ -64,8 +99,7 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
       continue;
     }
     const std::size_t first = i++;
-    while (i < end && classes[i] == classes[first] &&
-           areConnected (points[i - 1], points[i], noise))
+    while (i < end && classes[i] == classes[first] && links.toLeft (i))
       ++i;
     const auto run = static_cast<std::uint32_t> (runs_.size());
     sets_.resize (run + 1);
@@ -73,25 +107,21 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
     runs_.push_back ({first, i - first, none});
     if (first >= row + 2 && classes[first - 2] == classes[first] &&
         classes[first - 1] == ObstacleClass::unmeasured &&
-        areConnected (points[first - 2], points[first], noise))
+        areClose (points[first], points[first - 2], noise))
       sets_.join (run - 1, run);
   }
 }
 
-/** Connects runs [above.first, above.second) with those of the last row, [below, end),
- * which is \a distance further down. */
+/** Joins runs [above.first, above.second) with those of the last row, [below, end), where
+ * points are connected that are \a offset apart. */
+template <typename AreConnected>
 void
-ObstacleClusters::joinRows (const OrganizedPoints& points,
-                            const DepthNoise& noise,
-                            std::pair<std::size_t, std::size_t> above,
+ObstacleClusters::joinRows (std::pair<std::size_t, std::size_t> above,
                             std::size_t below,
-                            std::size_t distance,
-                            const std::vector<ObstacleClass>& classes)
+                            std::size_t offset,
+                            const std::vector<ObstacleClass>& classes,
+                            const AreConnected& areConnected)
 {
-  const std::size_t offset = distance * static_cast<std::size_t> (points.width);
-  const auto isBridged = [&] (std::size_t i) {
-    return distance == 1 || classes[i + offset / 2] == ObstacleClass::unmeasured;
-  };
   std::size_t a = above.first, b = below;
   while (a < above.second && b < runs_.size()) {
     const std::size_t end_a = runs_[a].first + runs_[a].length;
@@ -101,7 +131,7 @@ ObstacleClusters::joinRows (const OrganizedPoints& points,
       for (std::size_t i = std::max (runs_[a].first, first_b);
            i < std::min (end_a, end_b);
            ++i)
-        if (isBridged (i) && areConnected (points[i], points[i + offset], noise)) {
+        if (areConnected (i, i + offset)) {
           sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
           break;
         }

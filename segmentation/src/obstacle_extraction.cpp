@@ -29,32 +29,47 @@ ObstacleExtraction::compute (const OrganizedPoints& points,
                noise,
                parameters.floor_angle,
                parameters.floor_height);
-  classify ({points, normals, planes, floor_, selected}, excluded, parameters);
+  classify ({points, normals, planes, floor_}, selected, parameters);
+  if (excluded)
+    exclude (*excluded);
   const std::size_t min_points = parameters.min_cluster_size != 0
                                      ? parameters.min_cluster_size
                                      : std::max<std::size_t> (points.size() / 20000, 2);
-  clusters_.compute (points, noise, min_points, classes_);
+  clusters_.compute (points, links_, noise, min_points, classes_);
   collect (points, parameters, obstacles);
 }
 
 void
 ObstacleExtraction::classify (const ObstacleFrame& frame,
-                              const pcl::Indices* excluded,
+                              const std::uint8_t* selected,
                               const ObstacleParameters& parameters)
 {
-  if (floor_.isFound())
-    point_classes_.classify (frame, parameters.points, classes_);
-  else {
-    classes_.resize (frame.points.size());
-    for (std::size_t i = 0; i < classes_.size(); ++i)
-      classes_[i] = isUsable (frame.points[i], parameters.points.noise) &&
-                            (!frame.selected || frame.selected[i])
-                        ? ObstacleClass::obstacle
-                        : ObstacleClass::unmeasured;
+  const DepthNoise& noise = parameters.points.noise;
+  classes_.resize (frame.points.size());
+  links_.resize (frame.points);
+  point_classes_.start (frame, parameters.points);
+  rows_[1].load (frame.points, 0);
+  for (int v = 0; v < frame.points.height; ++v) {
+    PointRow &row = rows_[v % 2], &row_above = rows_[1 - v % 2];
+    row.load (frame.points, v, selected);
+    links_.addRow (v, row, row_above, noise);
+    if (floor_.isFound())
+      point_classes_.addRow (frame, v, row, classes_);
   }
-  if (!excluded)
+  if (floor_.isFound()) {
+    point_classes_.finish (frame, classes_);
     return;
-  for (const pcl::index_t index : *excluded) {
+  }
+  for (std::size_t i = 0; i < classes_.size(); ++i)
+    classes_[i] = isUsable (frame.points[i], noise) && (!selected || selected[i])
+                      ? ObstacleClass::obstacle
+                      : ObstacleClass::unmeasured;
+}
+
+void
+ObstacleExtraction::exclude (const pcl::Indices& excluded)
+{
+  for (const pcl::index_t index : excluded) {
     ObstacleClass& result = classes_[static_cast<std::size_t> (index)];
     if (result != ObstacleClass::unmeasured)
       result = ObstacleClass::excluded;
@@ -74,19 +89,14 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
   }
   nearest_.assign (sizes.size(), std::numeric_limits<float>::infinity());
   scan_builder_.start (parameters.scan, scan_);
-  std::size_t row_end = 0;
-  for (const auto& run : clusters_.runs()) {
-    if (run.cluster == ObstacleClusters::none)
-      continue;
-    const auto width = static_cast<std::size_t> (points.width);
-    if (run.first >= row_end) {
-      moveToBase (points, run.first / width, parameters.camera_to_base);
-      row_end = (run.first / width + 1) * width;
-    }
-    const std::size_t column = run.first + width - row_end;
-    if (classes_[run.first] == ObstacleClass::drop_off)
-      followToFloor (points, run, column, parameters.camera_to_base.translation());
-    addRun (run, column, obstacles[run.cluster]);
+  const auto width = static_cast<std::size_t> (points.width);
+  const auto& runs = clusters_.runs();
+  for (std::size_t run = 0, next; run < runs.size(); run = next) {
+    const std::size_t row = runs[run].first / width;
+    for (next = run + 1; next < runs.size() && runs[next].first / width == row;)
+      ++next;
+    addRow (
+        points, &runs[run], &runs[next - 1] + 1, parameters.camera_to_base, obstacles);
   }
   scan_builder_.finish();
   for (auto& obstacle : obstacles) {
@@ -100,14 +110,42 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
 }
 
 void
-ObstacleExtraction::moveToBase (const OrganizedPoints& points,
-                                std::size_t row,
-                                const Eigen::Affine3f& camera_to_base)
+ObstacleExtraction::addRow (const OrganizedPoints& points,
+                            const ObstacleClusters::Run* begin,
+                            const ObstacleClusters::Run* end,
+                            const Eigen::Affine3f& camera_to_base,
+                            std::vector<Obstacle>& obstacles)
 {
-  row_.load (points, static_cast<int> (row));
-  for (auto& coordinate : base_)
-    coordinate.resize (row_.size());
-  moveRow (row_, camera_to_base, {base_[0].data(), base_[1].data(), base_[2].data()});
+  const auto width = static_cast<std::size_t> (points.width);
+  const std::size_t row = begin->first / width;
+  rows_[0].load (points, static_cast<int> (row));
+  for (auto* values : {&base_.x, &base_.y, &base_.z, &base_.squares})
+    values->resize (rows_[0].size());
+  moveRow (rows_[0],
+           camera_to_base,
+           base_.x.data(),
+           base_.y.data(),
+           base_.z.data(),
+           base_.squares.data());
+  const auto leaveOut = [&] (std::size_t from, std::size_t to) {
+    std::fill (base_.x.begin() + static_cast<std::ptrdiff_t> (from),
+               base_.x.begin() + static_cast<std::ptrdiff_t> (to),
+               std::numeric_limits<float>::quiet_NaN());
+  };
+  std::size_t column = 0;
+  for (const auto* run = begin; run != end; ++run) {
+    if (run->cluster == ObstacleClusters::none)
+      continue;
+    const std::size_t first = run->first - row * width;
+    leaveOut (column, first);
+    column = first + run->length;
+    if (classes_[run->first] == ObstacleClass::drop_off)
+      followToFloor (points, *run, first, camera_to_base.translation());
+    addRun (*run, first, obstacles[run->cluster]);
+  }
+  leaveOut (column, rows_[0].size());
+  scan_builder_.addRow (
+      base_.x.data(), base_.y.data(), base_.z.data(), rows_[0].size());
 }
 
 /** Moves points of a drop-off along their rays to where these meet the floor. */
@@ -121,10 +159,11 @@ ObstacleExtraction::followToFloor (const OrganizedPoints& points,
   for (std::size_t i = 0; i < run.length; ++i) {
     const float height = heightAbove (floor, points[run.first + i]);
     const float scale = floor[3] / (floor[3] - height);
-    for (int k = 0; k < 3; ++k) {
-      float& coordinate = base_[static_cast<std::size_t> (k)][column + i];
-      coordinate = camera[k] + scale * (coordinate - camera[k]);
-    }
+    float &x = base_.x[column + i], &y = base_.y[column + i], &z = base_.z[column + i];
+    x = camera.x() + scale * (x - camera.x());
+    y = camera.y() + scale * (y - camera.y());
+    z = camera.z() + scale * (z - camera.z());
+    base_.squares[column + i] = x * x + y * y;
   }
 }
 
@@ -141,17 +180,14 @@ ObstacleExtraction::addRun (const ObstacleClusters::Run& run,
   std::iota (obstacle.indices.begin() + static_cast<std::ptrdiff_t> (before),
              obstacle.indices.end(),
              static_cast<pcl::index_t> (run.first));
-  const float *x = &base_[0][column], *y = &base_[1][column], *z = &base_[2][column];
-  scan_builder_.add (x, y, z, run.length);
-  float nearest = nearest_[run.cluster];
-  for (std::size_t i = 0; i < run.length; ++i) {
-    const float squared = x[i] * x[i] + y[i] * y[i];
-    if (squared < nearest) {
-      nearest = squared;
-      obstacle.nearest = {x[i], y[i], z[i]};
-    }
-  }
+  const float* squares = &base_.squares[column];
+  const float nearest = minimum (squares, run.length);
+  if (!(nearest < nearest_[run.cluster]))
+    return;
   nearest_[run.cluster] = nearest;
+  const auto i = static_cast<std::size_t> (
+      std::find (squares, squares + run.length, nearest) - squares);
+  obstacle.nearest = {base_.x[column + i], base_.y[column + i], base_.z[column + i]};
 }
 
 } // namespace rgbd_planes

@@ -82,16 +82,78 @@ classifyRowHere (const PointRow& row,
 void
 moveRowHere (const PointRow& row,
              const Eigen::Affine3f& transform,
-             float* const (&moved)[3])
+             float* x,
+             float* y,
+             float* z,
+             float* squares)
 {
   const Eigen::Matrix4f m = transform.matrix();
   for (std::size_t i = 0; i < row.size(); i += hn::Lanes (Floats())) {
     const Points p = load (row, static_cast<std::ptrdiff_t> (i));
-    for (int k = 0; k < 3; ++k) {
-      const V turned = dot ({m (k, 0), m (k, 1), m (k, 2), 0.f}, p);
-      hn::StoreU (hn::Add (turned, set (m (k, 3))), Floats(), moved[k] + i);
-    }
+    const auto coordinate = [&] (int k) {
+      return hn::Add (dot ({m (k, 0), m (k, 1), m (k, 2), 0.f}, p), set (m (k, 3)));
+    };
+    const V new_x = coordinate (0), new_y = coordinate (1);
+    hn::StoreU (new_x, Floats(), x + i);
+    hn::StoreU (new_y, Floats(), y + i);
+    hn::StoreU (coordinate (2), Floats(), z + i);
+    hn::StoreU (
+        hn::MulAdd (new_x, new_x, hn::Mul (new_y, new_y)), Floats(), squares + i);
   }
+}
+
+float
+minimumHere (const float* values, std::size_t count)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const std::size_t lanes = hn::Lanes (Floats());
+  V smallest = set (infinity);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    const V value = load (values + i);
+    smallest = hn::IfThenElse (hn::Lt (value, smallest), value, smallest);
+  }
+  float result = hn::GetLane (hn::MinOfLanes (Floats(), smallest));
+  for (; i < count; ++i)
+    result = values[i] < result ? values[i] : result;
+  return result;
+}
+
+bool
+scanRowHere (const float* x,
+             const float* y,
+             const float* z,
+             std::size_t size,
+             const ScanLimits& limits,
+             ScanColumns& columns)
+{
+  const hn::Rebind<std::uint8_t, Floats> bytes;
+  const V nearest = set (limits.range_min * limits.range_min);
+  const V farthest = set (limits.range_max * limits.range_max);
+  Mask any_stray = hn::MaskFromVec (hn::Zero (Floats()));
+  for (std::size_t i = 0; i < size; i += hn::Lanes (Floats())) {
+    const V px = load (x + i), py = load (y + i);
+    const V square = hn::MulAdd (px, px, hn::Mul (py, py));
+    const Mask is_in_range =
+        hn::And (hn::And (hn::Ge (square, nearest), hn::Le (square, farthest)),
+                 hn::And (hn::Gt (square, hn::Zero (Floats())),
+                          hn::Le (load (z + i), set (limits.max_height))));
+    const auto isLeftOf = [&] (const float* border_x, const float* border_y) {
+      return hn::Ge (hn::Mul (load (border_x), py), hn::Mul (load (border_y), px));
+    };
+    const Mask is_in_sector =
+        hn::AndNot (isLeftOf (&columns.left_x[i], &columns.left_y[i]),
+                    isLeftOf (&columns.right_x[i], &columns.right_y[i]));
+    const V closest = load (&columns.squares[i]);
+    const Mask is_closer =
+        hn::And (hn::And (is_in_range, is_in_sector), hn::Lt (square, closest));
+    hn::StoreU (
+        hn::IfThenElse (is_closer, square, closest), Floats(), &columns.squares[i]);
+    const Mask is_stray = hn::AndNot (is_in_sector, is_in_range);
+    any_stray = hn::Or (any_stray, is_stray);
+    hn::StoreU (hn::DemoteTo (bytes, intOf (is_stray, 1)), bytes, &columns.strays[i]);
+  }
+  return !hn::AllFalse (Floats(), any_stray);
 }
 
 } // namespace HWY_NAMESPACE
@@ -104,7 +166,9 @@ namespace pcl {
 namespace rgbd_planes {
 
 HWY_EXPORT (classifyRowHere);
+HWY_EXPORT (minimumHere);
 HWY_EXPORT (moveRowHere);
+HWY_EXPORT (scanRowHere);
 
 void
 classifyRow (const PointRow& row,
@@ -115,12 +179,32 @@ classifyRow (const PointRow& row,
   HWY_DYNAMIC_DISPATCH (classifyRowHere) (row, floor, parameters, result);
 }
 
+float
+minimum (const float* values, std::size_t count)
+{
+  return HWY_DYNAMIC_DISPATCH (minimumHere) (values, count);
+}
+
 void
 moveRow (const PointRow& row,
          const Eigen::Affine3f& transform,
-         float* const (&moved)[3])
+         float* x,
+         float* y,
+         float* z,
+         float* squares)
 {
-  HWY_DYNAMIC_DISPATCH (moveRowHere) (row, transform, moved);
+  HWY_DYNAMIC_DISPATCH (moveRowHere) (row, transform, x, y, z, squares);
+}
+
+bool
+scanRow (const float* x,
+         const float* y,
+         const float* z,
+         std::size_t size,
+         const ScanLimits& limits,
+         ScanColumns& columns)
+{
+  return HWY_DYNAMIC_DISPATCH (scanRowHere) (x, y, z, size, limits, columns);
 }
 
 } // namespace rgbd_planes

@@ -7,6 +7,7 @@
 
 #include <pcl/segmentation/obstacle_points.h>
 #include <pcl/segmentation/point_row.h>
+#include <pcl/segmentation/scan_builder.h>
 
 #include <Eigen/Geometry>
 
@@ -31,12 +32,32 @@ classifyRow (const PointRow& row,
              ObstacleRow& result);
 
 /** Moves the points of a row to another frame.
- * \param[out] moved arrays for x, y and z, as long as the row
+ * \param[out] x, y, z arrays as long as the row
+ * \param[out] squares of their distance from the z axis
  */
 void
 moveRow (const PointRow& row,
          const Eigen::Affine3f& transform,
-         float* const (&moved)[3]);
+         float* x,
+         float* y,
+         float* z,
+         float* squares);
+
+/** The smallest of \a values, without those that are NaN; infinite without any. */
+float
+minimum (const float* values, std::size_t count);
+
+/** Looks for the closest point of each column in its sector.
+ * \param[in] size of the row, a multiple of PointRow::block_size
+ * \return whether there are strays
+ */
+bool
+scanRow (const float* x,
+         const float* y,
+         const float* z,
+         std::size_t size,
+         const ScanLimits& limits,
+         ScanColumns& columns);
 
 } // namespace rgbd_planes
 } // namespace pcl

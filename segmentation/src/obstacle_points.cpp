@@ -39,29 +39,42 @@ isHigh (float height, float variance, const ObstaclePointParameters& parameters)
 } // namespace
 
 void
-ObstaclePoints::classify (const ObstacleFrame& frame,
-                          const ObstaclePointParameters& parameters,
-                          std::vector<ObstacleClass>& classes)
+ObstaclePoints::start (const ObstacleFrame& frame,
+                       const ObstaclePointParameters& parameters)
 {
   parameters_ = parameters;
   min_cos_ = std::cos (parameters.normal_angle);
-  prepare (frame.points);
-  classes.resize (frame.points.size());
-  for (int v = 0; v < frame.points.height; ++v) {
-    const auto first = static_cast<std::size_t> (v * frame.points.width);
-    Cell* cells = &cells_[static_cast<std::size_t> (v / cell_size_ * cells_u_)];
-    points_.load (frame.points, v, frame.selected);
-    classifyRow (points_, frame.floor.coefficients(), parameters_, row_);
-    std::transform (
-        row_.what.begin(),
-        row_.what.begin() + width_,
-        classes.begin() + static_cast<std::ptrdiff_t> (first),
-        [] (std::uint8_t what) { return static_cast<ObstacleClass> (what); });
-    if (v % cell_size_ == 0)
-      sampleRow (frame, first, cells);
-    if (v % cell_size_ == cell_size_ - 1 || v == frame.points.height - 1)
-      sumColumns (cells);
-  }
+  width_ = frame.points.width;
+  cell_size_ = std::max (width_ / cells_in_row, 1);
+  cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
+  cells_v_ = (frame.points.height + cell_size_ - 1) / cell_size_;
+  cells_.assign (static_cast<std::size_t> (cells_u_ * cells_v_), {});
+}
+
+void
+ObstaclePoints::addRow (const ObstacleFrame& frame,
+                        int v,
+                        const PointRow& points,
+                        std::vector<ObstacleClass>& classes)
+{
+  row_.resize (points.size());
+  classifyRow (points, frame.floor.coefficients(), parameters_, row_);
+  const auto first = static_cast<std::size_t> (v * width_);
+  std::transform (row_.what.begin(),
+                  row_.what.begin() + width_,
+                  classes.begin() + static_cast<std::ptrdiff_t> (first),
+                  [] (std::uint8_t what) { return static_cast<ObstacleClass> (what); });
+  Cell* cells = &cells_[static_cast<std::size_t> (v / cell_size_ * cells_u_)];
+  if (v % cell_size_ == 0)
+    sampleRow (frame, first, cells);
+  if (v % cell_size_ == cell_size_ - 1 || v == frame.points.height - 1)
+    sumColumns (cells);
+}
+
+void
+ObstaclePoints::finish (const ObstacleFrame& frame,
+                        std::vector<ObstacleClass>& classes) const
+{
   for (int v = 0; v < cells_v_; ++v)
     for (int u = 0; u < cells_u_; ++u) {
       const Cell& cell = cells_[static_cast<std::size_t> (v * cells_u_ + u)];
@@ -71,22 +84,13 @@ ObstaclePoints::classify (const ObstacleFrame& frame,
 }
 
 void
-ObstaclePoints::prepare (const OrganizedPoints& points)
+ObstacleRow::resize (std::size_t points_in_row)
 {
-  width_ = points.width;
-  cell_size_ = std::max (width_ / cells_in_row, 1);
-  cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
-  cells_v_ = (points.height + cell_size_ - 1) / cell_size_;
-  cells_.assign (static_cast<std::size_t> (cells_u_ * cells_v_), {});
-  points_.load (points, 0);
-  row_.what.resize (points_.size());
-  for (auto* values : {&row_.height,
-                       &row_.variance,
-                       &row_.height_sum,
-                       &row_.variance_sum,
-                       &row_.points,
-                       &row_.high})
-    values->assign (points_.size(), 0.f);
+  if (what.size() == points_in_row)
+    return;
+  what.resize (points_in_row);
+  for (auto* values : {&height, &variance, &height_sum, &variance_sum, &points, &high})
+    values->assign (points_in_row, 0.f);
 }
 
 /** Moves the sums of the columns to the cells that they are in. */

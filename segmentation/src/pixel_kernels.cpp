@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
 #include "plane_vectors-inl.h"
+#include <hwy/cache_control.h>
 
 #include <algorithm>
 
@@ -74,11 +75,15 @@ loadPixelsHere (const float* first,
                 float* z)
 {
   const std::size_t lanes = hn::Lanes (Floats());
+  constexpr std::size_t ahead = 2560, cache_line = 16; // floats; a row of 640 points
   if (stride == 4 && run % lanes == 0)
     for (std::size_t i = 0; i < offsets.size(); i += lanes) {
       Points p;
       V unused;
-      hn::LoadInterleaved4 (Floats(), first + 4 * offsets[i], p.x, p.y, p.z, unused);
+      const float* from = first + 4 * offsets[i];
+      for (std::size_t k = 0; k < 4 * lanes; k += cache_line)
+        hwy::Prefetch (from + ahead + k);
+      hn::LoadInterleaved4 (Floats(), from, p.x, p.y, p.z, unused);
       hn::StoreU (p.x, Floats(), x + i);
       hn::StoreU (p.y, Floats(), y + i);
       hn::StoreU (p.z, Floats(), z + i);

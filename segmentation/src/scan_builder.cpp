@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "obstacle_kernels.h"
+
 #include <pcl/segmentation/scan_builder.h>
 
 #include <algorithm>
@@ -33,11 +35,10 @@ ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
       sectors_[i] = {
           std::cos (right), std::sin (right), std::cos (left), std::sin (left)};
     }
+    column_sectors_.clear();
   }
   limits_ = limits;
   squares_.assign (directions + 1, infinity);
-  squared_min_ = limits.range_min * limits.range_min;
-  squared_max_ = limits.range_max * limits.range_max;
 
   scan.angle_min = limits.angle_min;
   scan.angle_max =
@@ -49,25 +50,37 @@ ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
 }
 
 void
-ScanBuilder::add (const float* x, const float* y, const float* z, std::size_t count)
+ScanBuilder::addRow (const float* x, const float* y, const float* z, std::size_t size)
 {
-  std::size_t current = sectors_.size() - 1;
-  Sector sector; // sectors_[current]
-  float closest = infinity;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float squared = x[i] * x[i] + y[i] * y[i];
-    if (!(z[i] <= limits_.max_height && squared >= squared_min_ &&
-          squared <= squared_max_ && squared > 0.f))
-      continue;
-    if (!sector.contains (x[i], y[i])) {
-      squares_[current] = std::min (squares_[current], closest);
-      current = find (x[i], y[i], current);
-      sector = sectors_[current];
-      closest = infinity;
-    }
-    closest = std::min (closest, squared);
+  if (column_sectors_.size() != size) {
+    column_sectors_.assign (size, sectors_.size() - 1);
+    for (auto* values :
+         {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
+      values->assign (size, 0.f);
+    columns_.squares.assign (size, infinity);
+    columns_.strays.resize (size);
   }
-  squares_[current] = std::min (squares_[current], closest);
+  if (!scanRow (x, y, z, size, limits_, columns_))
+    return;
+  for (std::size_t u = 0; u < size; ++u)
+    if (columns_.strays[u]) {
+      turnColumn (u, find (x[u], y[u], column_sectors_[u]));
+      columns_.squares[u] = x[u] * x[u] + y[u] * y[u];
+    }
+}
+
+/** Keeps what a column found, and gives it another sector. */
+void
+ScanBuilder::turnColumn (std::size_t column, std::size_t sector)
+{
+  float& square = squares_[column_sectors_[column]];
+  square = std::min (square, columns_.squares[column]);
+  column_sectors_[column] = sector;
+  columns_.squares[column] = infinity;
+  columns_.right_x[column] = sectors_[sector].right_x;
+  columns_.right_y[column] = sectors_[sector].right_y;
+  columns_.left_x[column] = sectors_[sector].left_x;
+  columns_.left_y[column] = sectors_[sector].left_y;
 }
 
 std::size_t
@@ -86,6 +99,8 @@ ScanBuilder::find (float x, float y, std::size_t guess) const
 void
 ScanBuilder::finish()
 {
+  for (std::size_t u = 0; u < column_sectors_.size(); ++u)
+    turnColumn (u, column_sectors_[u]);
   scan_->ranges.resize (sectors_.size() - 1);
   for (std::size_t i = 0; i < scan_->ranges.size(); ++i)
     scan_->ranges[i] = std::sqrt (squares_[i]);

@@ -8,6 +8,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/segmentation/disjoint_sets.h>
+#include <pcl/segmentation/point_row.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,11 +18,41 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief Whether the points of an image are close to the one before, and to the one above
+ * it: the distance between them is at most 5 cm and three standard deviations of depth. */
+class PCL_RGBD_PLANES_EXPORTS ObstacleLinks {
+public:
+  void
+  resize (const OrganizedPoints& points);
+
+  /** \param[in] row_above any row for v = 0 */
+  void
+  addRow (int v,
+          const PointRow& row,
+          const PointRow& row_above,
+          const DepthNoise& noise);
+
+  bool
+  toLeft (std::size_t point) const
+  {
+    return to_left_[point] != 0;
+  }
+
+  bool
+  toAbove (std::size_t point) const
+  {
+    return to_above_[point] != 0;
+  }
+
+private:
+  std::size_t width_ = 0;
+  std::vector<std::uint8_t> to_left_, to_above_;
+};
+
 /** \brief Connected obstacle points of an image.
  *
  * Neighbours in a row or column that are both obstacle, or both drop-off, are connected
- * while the distance between them is at most 5 cm and three standard deviations of depth.
- * So are next neighbours but one where the pixel between them is unmeasured.
+ * where they are linked. So are next neighbours but one where the pixel between them is unmeasured.
  * Clusters are kept as runs, the parts of a row that belong to one.
  */
 class PCL_RGBD_PLANES_EXPORTS ObstacleClusters {
@@ -41,6 +72,7 @@ public:
    */
   void
   compute (const OrganizedPoints& points,
+           const ObstacleLinks& links,
            const DepthNoise& noise,
            std::size_t min_points,
            std::vector<ObstacleClass>& classes);
@@ -62,17 +94,18 @@ public:
 private:
   void
   findRuns (const OrganizedPoints& points,
+            const ObstacleLinks& links,
             const DepthNoise& noise,
             std::size_t row,
             const std::vector<ObstacleClass>& classes);
 
+  template <typename AreConnected>
   void
-  joinRows (const OrganizedPoints& points,
-            const DepthNoise& noise,
-            std::pair<std::size_t, std::size_t> above,
+  joinRows (std::pair<std::size_t, std::size_t> above,
             std::size_t below,
-            std::size_t distance,
-            const std::vector<ObstacleClass>& classes);
+            std::size_t offset,
+            const std::vector<ObstacleClass>& classes,
+            const AreConnected& areConnected);
 
   void
   numberClusters (std::size_t min_points, std::vector<ObstacleClass>& classes);

@@ -15,7 +15,6 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -75,20 +74,27 @@ public:
   }
 
 private:
+  /** What the points are, and which of them are linked. */
   void
   classify (const ObstacleFrame& frame,
-            const pcl::Indices* excluded,
+            const std::uint8_t* selected,
             const ObstacleParameters& parameters);
+
+  void
+  exclude (const pcl::Indices& excluded);
 
   void
   collect (const OrganizedPoints& points,
            const ObstacleParameters& parameters,
            std::vector<Obstacle>& obstacles);
 
+  /** Adds the points of the runs of a row to their obstacles and to the scan. */
   void
-  moveToBase (const OrganizedPoints& points,
-              std::size_t row,
-              const Eigen::Affine3f& camera_to_base);
+  addRow (const OrganizedPoints& points,
+          const ObstacleClusters::Run* begin,
+          const ObstacleClusters::Run* end,
+          const Eigen::Affine3f& camera_to_base,
+          std::vector<Obstacle>& obstacles);
 
   void
   followToFloor (const OrganizedPoints& points,
@@ -101,13 +107,18 @@ private:
 
   FloorPlane floor_;
   ObstaclePoints point_classes_;
+  ObstacleLinks links_;
   ObstacleClusters clusters_;
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  PointRow row_;
-  std::array<std::vector<float>, 3> base_; // the points of a row in the base frame
-  std::vector<float> nearest_;             // squared distance of each obstacle
+  PointRow rows_[2];
+  /** The points of a row in the base frame. */
+  struct {
+    std::vector<float> x, y, z;
+    std::vector<float> squares; // of their distances from the z axis
+  } base_;
+  std::vector<float> nearest_; // squared distance of each obstacle
 };
 
 } // namespace rgbd_planes

@@ -35,13 +35,15 @@ struct ObstacleFrame {
   OrganizedNormals normals;
   const LabelledPlanes& planes;
   const FloorPlane& floor;
-  /** Not 0 for the points to look at, one for each point; null for all. */
-  const std::uint8_t* selected = nullptr;
 };
 
 /** \brief The points of a row, and sums over the points of each column in a few rows that
  * may be floor; all as long as a PointRow. */
 struct ObstacleRow {
+  /** \brief Sets all sums to 0 where the size changes. */
+  void
+  resize (std::size_t points_in_row);
+
   std::vector<float> height;
   std::vector<float>
       variance; /**< of the height; NaN or Inf where nothing is measured */
@@ -65,14 +67,22 @@ struct ObstacleRow {
  */
 class PCL_RGBD_PLANES_EXPORTS ObstaclePoints {
 public:
-  /** \brief Tells what the points are: unmeasured, floor, obstacle or drop_off.
-   * \param[in] frame with a floor
-   * \param[out] classes one for each point
+  /** \brief Starts with a frame that has a floor. */
+  void
+  start (const ObstacleFrame& frame, const ObstaclePointParameters& parameters);
+
+  /** \brief Looks at the points of the next row.
+   * \param[out] classes one for each point of the frame
    */
   void
-  classify (const ObstacleFrame& frame,
-            const ObstaclePointParameters& parameters,
-            std::vector<ObstacleClass>& classes);
+  addRow (const ObstacleFrame& frame,
+          int v,
+          const PointRow& points,
+          std::vector<ObstacleClass>& classes);
+
+  /** \brief Tells what the points are: unmeasured, floor, obstacle or drop_off. */
+  void
+  finish (const ObstacleFrame& frame, std::vector<ObstacleClass>& classes) const;
 
 private:
   /** Sums over the points of a cell that may be floor. */
@@ -83,9 +93,6 @@ private:
     float high = 0.f;   // points high enough for a low obstacle
     float differ = 0.f; // 1 where its first point is on another surface
   };
-
-  void
-  prepare (const OrganizedPoints& points);
 
   void
   sumColumns (Cell* cells);
@@ -115,7 +122,6 @@ private:
   int cells_u_ = 0;
   int cells_v_ = 0;
   std::vector<Cell> cells_;
-  PointRow points_;
   ObstacleRow row_;
 };
 

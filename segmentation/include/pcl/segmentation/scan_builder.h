@@ -9,10 +9,21 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
+
+/** \brief For each column of an image, the sector of a scan that its last point was in, and
+ * the square of the range of its closest point in that sector. */
+struct ScanColumns {
+  /** Unit vectors along the borders of the sectors. */
+  std::vector<float> right_x, right_y, left_x, left_y;
+  std::vector<float> squares;
+  /** 1 for points of the row at hand that are in another sector. */
+  std::vector<std::uint8_t> strays;
+};
 
 /** \brief Collects points into a virtual scan (Holz et al. 2011, sections 2 and 5.1). */
 class PCL_RGBD_PLANES_EXPORTS ScanBuilder {
@@ -23,10 +34,14 @@ public:
   void
   start (const ScanLimits& limits, VirtualScan& scan);
 
-  /** \brief Adds points in the base frame, metres. Fastest where points follow each other
-   * in direction. */
+  /** \brief Adds the points of a row of an image in the base frame, metres, without those
+   * that are NaN.
+   *
+   * Fastest where the points of a column have the same direction for some rows.
+   * \param[in] size a multiple of PointRow::block_size, the same for all rows
+   */
   void
-  add (const float* x, const float* y, const float* z, std::size_t count);
+  addRow (const float* x, const float* y, const float* z, std::size_t size);
 
   /** \brief Fills in the ranges. */
   void
@@ -48,14 +63,17 @@ private:
   std::size_t
   find (float x, float y, std::size_t guess) const;
 
+  void
+  turnColumn (std::size_t column, std::size_t sector);
+
   VirtualScan* scan_ = nullptr;
   ScanLimits limits_;
-  float squared_min_ = 0.f;
-  float squared_max_ = 0.f;
   /** One for each direction, and one that contains nothing. */
   std::vector<Sector> sectors_;
   /** Of the closest point in each direction; the last one is of no use. */
   std::vector<float> squares_;
+  ScanColumns columns_;
+  std::vector<std::size_t> column_sectors_;
 };
 
 } // namespace rgbd_planes
