@@ -20,11 +20,16 @@ constexpr unsigned min_part = 2;
 void
 ClusterImage::resize (int width, int height)
 {
+  constexpr std::uint32_t max_columns = 480;
   width_ = static_cast<std::uint32_t> (width);
+  for (shift_ = 0; width_ >> shift_ >= max_columns;)
+    ++shift_;
   // The margin to the right of a row is that to the left of the next one.
-  stride_ = (width_ + margin + block_size - 1) / block_size * block_size;
+  const std::uint32_t columns = (width_ >> shift_) + 1;
+  stride_ = (columns + margin + block_size - 1) / block_size * block_size;
   first_ = margin * stride_ + block_size;
-  const std::size_t rows = static_cast<std::size_t> (height) + 2 * margin;
+  const std::size_t rows =
+      (static_cast<std::size_t> (height) >> shift_) + 1 + 2 * margin;
   const std::size_t size = rows * stride_ + 2 * block_size;
   for (auto* values : {&x, &y, &z, &normal_x, &normal_y, &normal_z})
     values->resize (size);
@@ -42,7 +47,8 @@ ConcaveSplit::compute (const OrganizedPoints& points,
 {
   parameters_ = parameters;
   layOut (points, normals, clusters);
-  markCuts (image_, pixel_angle, parameters.noise, cut_);
+  markCuts (
+      image_, pixel_angle * static_cast<float> (image_.step()), parameters.noise, cut_);
   joinUncut();
   startParts (clusters);
   growParts();
@@ -57,16 +63,14 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
 {
   image_.resize (points.width, points.height);
   places_.clear();
-  const auto width = static_cast<std::uint32_t> (points.width);
+  first_place_.clear();
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    std::uint32_t row_end = 0, to_place = 0;
+    first_place_.push_back (places_.size());
     for (const auto index : clusters[k].indices) {
       const auto point = static_cast<std::uint32_t> (index);
-      if (point >= row_end) {
-        row_end = (point / width + 1) * width;
-        to_place = image_.place (point) - point;
-      }
-      const std::uint32_t i = point + to_place;
+      const std::uint32_t i = image_.place (point);
+      if (image_.owner[i] != 0)
+        continue;
       const float* p = points[point];
       const float* normal = normals.normal + point * normals.stride;
       places_.push_back (i);
@@ -79,6 +83,7 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
       image_.normal_z[i] = normal[2];
     }
   }
+  first_place_.push_back (places_.size());
 }
 
 template <typename Visit>
@@ -98,9 +103,11 @@ ConcaveSplit::joinUncut()
   const std::uint32_t stride = image_.stride();
   for (const std::uint32_t i : places_) {
     patch_size_[i] = 0;
+    sets_.add (i);
+  }
+  for (const std::uint32_t i : places_) {
     if (cut_[i])
       continue;
-    sets_.add (i);
     const auto isOfPatch = [&] (std::uint32_t j) {
       return image_.owner[j] == image_.owner[i] && !cut_[j];
     };
@@ -119,32 +126,30 @@ ConcaveSplit::joinUncut()
 void
 ConcaveSplit::startParts (const std::vector<ObjectCluster>& clusters)
 {
+  const std::uint32_t min_cells =
+      min_part * parameters_.min_points / (image_.step() * image_.step());
   part_.resize (image_.size());
   part_support_.clear();
+  first_part_.clear();
   queue_.clear();
-  const std::uint32_t* place = places_.data();
-  for (const auto& cluster : clusters) {
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
     const std::size_t before = part_support_.size();
-    const std::uint32_t *first = place, *last = place + cluster.indices.size();
-    for (; place != last; ++place) {
-      const std::uint32_t i = *place;
+    first_part_.push_back (static_cast<std::uint32_t> (before + 1));
+    for (std::size_t place = first_place_[k]; place < first_place_[k + 1]; ++place) {
+      const std::uint32_t i = places_[place];
       part_[i] = 0;
-      if (cut_[i])
+      if (cut_[i] || sets_.root (i) != i || patch_size_[i] < min_cells)
         continue;
-      const std::uint32_t root = sets_.root (i);
-      if (patch_size_[root] < min_part * parameters_.min_points)
-        continue;
-      if (root == i)
-        part_support_.push_back (cluster.support);
-      part_[i] =
-          root == i ? static_cast<std::uint32_t> (part_support_.size()) : part_[root];
-      queue_.push_back (i);
+      part_support_.push_back (clusters[k].support);
+      part_[i] = static_cast<std::uint32_t> (part_support_.size());
     }
-    if (part_support_.size() > before)
-      continue;
-    part_support_.push_back (cluster.support);
-    queue_.push_back (*first);
-    part_[queue_.back()] = static_cast<std::uint32_t> (part_support_.size());
+    if (part_support_.size() == before)
+      part_support_.push_back (clusters[k].support);
+  }
+  for (const std::uint32_t i : places_) {
+    part_[i] = cut_[i] ? 0 : part_[sets_.root (i)];
+    if (part_[i] != 0)
+      queue_.push_back (i);
   }
 }
 
@@ -170,10 +175,13 @@ ConcaveSplit::collect (std::vector<ObjectCluster>& clusters)
     parts_[k].indices.clear();
     parts_[k].support = part_support_[k];
   }
-  const std::uint32_t* place = places_.data();
-  for (const auto& cluster : clusters)
-    for (const auto index : cluster.indices)
-      parts_[part_[*place++] - 1].indices.push_back (index);
+  for (std::size_t k = 0; k < clusters.size(); ++k)
+    for (const auto index : clusters[k].indices) {
+      const std::uint32_t i = image_.place (static_cast<std::uint32_t> (index));
+      // Cells without a part have none near them, or are of another cluster.
+      const bool has_part = image_.owner[i] == k + 1 && part_[i] != 0;
+      parts_[(has_part ? part_[i] : first_part_[k]) - 1].indices.push_back (index);
+    }
   std::swap (clusters, parts_);
 }
 

@@ -14,8 +14,8 @@ namespace rgbd_planes {
 
 namespace {
 
-/** So many points tell the sides of a box as well as all of them. */
-constexpr unsigned max_points = 400;
+/** So many points, or at most twice as many, tell the sides of a box as well as all. */
+constexpr unsigned min_points = 400;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
 
@@ -62,7 +62,7 @@ Range
 trimmedRange (const std::vector<float>& values)
 {
   constexpr auto max_trimmed =
-      static_cast<std::size_t> (trimmed_part * float{max_points});
+      static_cast<std::size_t> (2.f * trimmed_part * float{min_points});
   std::array<float, max_trimmed + 1> lowest, highest;
   const auto trimmed =
       static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
@@ -85,7 +85,7 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
 {
   projected_.clear();
   values_.clear();
-  const std::size_t step = (indices.size() + max_points - 1) / max_points;
+  const std::size_t step = std::max<std::size_t> (indices.size() / min_points, 1);
   for (std::size_t k = 0; k < indices.size(); k += step) {
     const float* p = points[static_cast<std::size_t> (indices[k])];
     projected_.push_back (support.project (p));

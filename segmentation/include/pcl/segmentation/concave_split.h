@@ -11,21 +11,26 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief The points of clusters, each coordinate in an image of its own with a margin around
- * it, so that loops over blocks of points fill vectors and need not look out for the border. */
+/** \brief An image of cells of 1 x 1, 2 x 2, 4 x 4, ... pixels, with a point of a cluster in each.
+ *
+ * Each coordinate is in an array of its own with a margin around the image, so that loops
+ * over blocks of cells fill vectors and need not look out for the border.
+ */
 class ClusterImage {
 public:
   static constexpr std::uint32_t block_size = 16;
   static constexpr std::uint32_t margin = 5;
 
+  /** \brief Leaves no cell with an owner. Cells are such that an image has less than 480 of them
+   * in a row. */
   void
   resize (int width, int height);
 
-  /** \brief Where a point of the cloud is in the image. */
+  /** \brief Where the cell of a point is in the arrays. */
   std::uint32_t
   place (std::uint32_t point) const
   {
-    return first_ + point / width_ * stride_ + point % width_;
+    return first_ + (point / width_ >> shift_) * stride_ + (point % width_ >> shift_);
   }
 
   /** \brief From one row to the next. */
@@ -41,12 +46,19 @@ public:
     return owner.size();
   }
 
+  /** \brief Pixels along the side of a cell. */
+  std::uint32_t
+  step () const
+  {
+    return 1u << shift_;
+  }
+
   std::vector<float> x, y, z, normal_x, normal_y,
       normal_z;                     /**< where there is an owner */
-  std::vector<std::uint32_t> owner; /**< the cluster of each point, from 1 on, or 0 */
+  std::vector<std::uint32_t> owner; /**< the cluster of each cell, from 1 on, or 0 */
 
 private:
-  std::uint32_t width_ = 0, stride_ = 0, first_ = 0;
+  std::uint32_t width_ = 0, stride_ = 0, first_ = 0, shift_ = 0;
 };
 
 /** \brief Splits clusters of touching objects along concave edges and steps.
@@ -112,12 +124,13 @@ private:
 
   ObjectParameters parameters_;
   ClusterImage image_;
-  /** The points of all clusters one after another, as places in the image. */
-  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> places_;    // of the cells of all clusters in turn
+  std::vector<std::size_t> first_place_; // of each cluster, and the end of the last one
+  std::vector<std::uint32_t> first_part_; // of each cluster
   std::vector<std::uint8_t> cut_;
   DisjointSets sets_;
   std::vector<std::uint32_t> patch_size_; // at the root of each patch
-  std::vector<std::uint32_t> part_;       // of each point, from 1 on, or 0
+  std::vector<std::uint32_t> part_;       // of each cell, from 1 on, or 0
   std::vector<std::size_t> part_support_;
   std::vector<std::uint32_t> queue_;
   std::vector<ObjectCluster> parts_;
