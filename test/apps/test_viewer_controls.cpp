@@ -33,6 +33,20 @@ TEST_F (ViewerControlsTest, PointStepsThroughFrames)
   }
 }
 
+TEST_F (ViewerControlsTest, SpaceStartsAgainAtTheEnd)
+{
+  playFolder (false);
+  for (const std::string number : {"2", "3"}) {
+    press ('.');
+    updateUntil (number + ", 640 x 480");
+  }
+  press ('.');
+  viewer_->update();
+  EXPECT_TRUE (says ("3, 640 x 480")) << "the last one";
+  press (' ');
+  updateUntil ("1, 640 x 480");
+}
+
 TEST_F (ViewerControlsTest, KeyDChangesTheResolution)
 {
   playFolder();

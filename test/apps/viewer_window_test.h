@@ -45,7 +45,7 @@ protected:
   /** Plays clouds 1.pcd, 2.pcd and 3.pcd, in which the scene is 0, 10 and 20 cm further off,
    * from a folder. Frames come when keys or trigger() ask for them. */
   void
-  playFolder ()
+  playFolder (bool loop = true)
   {
     std::filesystem::create_directory (folder_ / "input");
     for (const std::string number : {"1", "2", "3"}) {
@@ -57,7 +57,7 @@ protected:
     InputOptions input;
     input.input = folder_ / "input";
     constexpr double never = 1e-3;
-    grabber_ = std::make_unique<FrameGrabber> (input, never, true);
+    grabber_ = std::make_unique<FrameGrabber> (input, never, loop);
     viewer_->play (*grabber_);
     updateUntil ("1, 640 x 480");
   }
