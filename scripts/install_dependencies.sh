@@ -10,7 +10,7 @@ packages=(
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz
-  clang-format-14 python3 doxygen
+  clang-format-14 python3 doxygen gnuplot-nox
 )
 
 missing=()
