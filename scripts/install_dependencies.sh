@@ -6,6 +6,7 @@ packages=(
   build-essential cmake ninja-build pkg-config git
   libpcl-dev libeigen3-dev libflann-dev libboost-program-options-dev
   libopenmpi-dev # VTK's CMake files look for it
+  libx11-dev xvfb xauth # the viewer's window, and a display for its tests and screenshots
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz

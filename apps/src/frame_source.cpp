@@ -24,7 +24,6 @@ namespace rgbd_planes {
 namespace {
 
 constexpr char simulated[] = "sim:";
-constexpr char live[] = "live:";
 
 bool
 startsWith (const std::string& text, const std::string& start)
@@ -113,8 +112,8 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   const std::string& input = options_.input;
   if (startsWith (input, simulated))
     addSimulated (input.substr (sizeof (simulated) - 1));
-  else if (startsWith (input, live))
-    addLive (input.substr (sizeof (live) - 1));
+  else if (const auto device = liveDevice (input))
+    addLive (*device);
   else if (fs::is_directory (input))
     addFolder (input);
   else if (fs::exists (input))

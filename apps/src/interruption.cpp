@@ -22,6 +22,12 @@ catchInterruption ()
     std::signal (signal, [] (int) { interrupted = 1; });
 }
 
+bool
+isInterrupted ()
+{
+  return interrupted != 0;
+}
+
 void
 stopIfInterrupted ()
 {

@@ -7,10 +7,14 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief From now on, SIGINT (Ctrl-C) and SIGTERM do not end the program, but are found by
- * stopIfInterrupted(), so that temporary files go. To be called before the first of them is
+ * the functions below, so that temporary files go. To be called before the first of them is
  * written. */
 void
 catchInterruption ();
+
+/** \brief Whether a signal came. */
+bool
+isInterrupted ();
 
 /** \brief Throws AppError if a signal came. To be called after each frame and before files are
  * committed. */
