@@ -47,9 +47,12 @@ class Speed:
     def stages(self, resolution):
         """Time of each stage of the pipeline, in ms."""
         normals = self.ms(f"normals/tangent/{resolution}")
-        planes = self.ms(f"planes/normal_space/{resolution}")
+        planes = self.rows[f"planes/normal_space/{resolution}"]
+        clusters = planes["normal_space_ms"], planes["distance_space_ms"]
         objects = self.ms(f"objects/supported_split/{resolution}")
-        return {"normals": normals, "planes": planes - normals, "objects": objects - planes,
+        return {"normals": normals, "normal space": clusters[0], "distance space": clusters[1],
+                "refinement": planes["real_time"] - normals - sum(clusters),
+                "objects": objects - planes["real_time"],
                 "obstacles": self.ms(f"obstacles/detection/{resolution}")}
 
 
@@ -78,8 +81,9 @@ def stage_table(speed):
         rows.append([PIXELS[resolution], *(f"{ms:.2f}" for ms in stages.values()),
                      f"{all_ms:.2f}", f"{1000 / all_ms:.0f}",
                      f"{omps / speed.ms(f'planes/normal_space/{resolution}'):.1f}"])
-    return table(["size", "normals ms", "planes ms", "objects ms", "obstacles ms", "all ms", "Hz",
-                  "normals and planes: times as fast as PCL's"], rows)
+    names = [f"{name} ms" for name in speed.stages("vga")]
+    return table(["size", *names, "all ms", "Hz", "normals and planes: times as fast as PCL's"],
+                 rows)
 
 
 def accuracy_table(normals):
