@@ -19,16 +19,19 @@ namespace {
 void
 printHelp ()
 {
-  std::cout
-      << "pcl_rgbd_planes_benchmark [INPUT...] [options]\n\n"
-         "Times our normals, planes and objects beside those of PCL, in ms per frame "
-         "of the "
-         "inputs; without\n"
-         "INPUT, of sim:table_cluttered and sim:room. Resolutions are chosen with "
-         "--benchmark_filter,\n"
-         "not --resolution.\n\n"
-      << input_help << '\n'
-      << inputOptionsDescription() << "\nGoogle Benchmark:\n";
+  std::cout << R"(pcl_rgbd_planes_benchmark [INPUT...] [options]
+
+Times our normals, planes and objects beside those of PCL, in ms per frame of the inputs;
+without INPUT, of sim:table_cluttered and sim:room. Resolutions are chosen with
+--benchmark_filter, not --resolution.
+
+  pcl_rgbd_planes_benchmark --benchmark_filter=planes/.*/vga
+  pcl_rgbd_planes_benchmark my.pcd --benchmark_out=times.json
+
+)" << input_help
+            << '\n'
+            << inputOptionsDescription() << '\n'
+            << exit_help << "\nGoogle Benchmark:\n";
   benchmark::PrintDefaultHelp();
 }
 

@@ -30,13 +30,20 @@ normalSpace (benchmark::State& state, const Clouds& clouds)
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   std::vector<pcl::ModelCoefficients> models;
   std::vector<pcl::PointIndices> inliers;
+  double normal_space_s = 0., distance_space_s = 0., calls = 0.;
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
     estimation.setInputCloud (cloud);
     estimation.compute (*normals);
     segmentation.setInputCloud (cloud);
     segmentation.setInputNormals (normals);
     segmentation.segment (models, inliers);
+    const PlaneStageTimes& times = segmentation.getStageTimes();
+    normal_space_s += times.normal_space;
+    distance_space_s += times.distance_space;
+    calls += 1.;
   });
+  state.counters["normal_space_ms"] = 1e3 * normal_space_s / calls;
+  state.counters["distance_space_ms"] = 1e3 * distance_space_s / calls;
 }
 
 void

@@ -6,11 +6,17 @@ packages=(
   build-essential cmake ninja-build pkg-config git
   libpcl-dev libeigen3-dev libflann-dev libboost-program-options-dev
   libopenmpi-dev # VTK's CMake files look for it
+  libx11-dev xvfb xauth # the viewer's window, and a display for its tests and screenshots
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
+<<<<<<< HEAD
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz, test/sanitize.sh
   gcovr llvm-14 valgrind
   clang-format-14 python3 doxygen
+=======
+  clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz
+  clang-format-14 python3 doxygen gnuplot-nox
+>>>>>>> main
 )
 
 missing=()

@@ -24,7 +24,7 @@ readEvaluationCommand (int argc,
                        const std::string& usage,
                        const po::options_description& own)
 {
-  po::options_description options ("Options");
+  po::options_description options ("Options", help_width);
   options.add_options() ("help", "print this help") (
       "json", po::value<std::string>()->value_name ("FILE"), "write the table as JSON");
   options.add (own).add (inputOptionsDescription());
@@ -32,7 +32,7 @@ readEvaluationCommand (int argc,
   command.values = parseCommandLine (argc, argv, options, "input", -1);
   const po::variables_map& values = command.values;
   if (values.count ("help")) {
-    std::cout << usage << '\n' << input_help << '\n' << options;
+    std::cout << usage << '\n' << input_help << '\n' << options << '\n' << exit_help;
     return std::nullopt;
   }
   if (!values.count ("input"))

@@ -24,7 +24,6 @@ namespace rgbd_planes {
 namespace {
 
 constexpr char simulated[] = "sim:";
-constexpr char live[] = "live:";
 
 bool
 startsWith (const std::string& text, const std::string& start)
@@ -115,8 +114,8 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   const fs::file_status status = fs::status (input, error);
   if (startsWith (input, simulated))
     addSimulated (input.substr (sizeof (simulated) - 1));
-  else if (startsWith (input, live))
-    addLive (input.substr (sizeof (live) - 1));
+  else if (const auto device = liveDevice (input))
+    addLive (*device);
   else if (fs::is_directory (status))
     addFolder (input);
   else if (fs::exists (status))

@@ -62,36 +62,46 @@ parseDepthScale (const std::string& text)
 } // namespace
 
 const char input_help[] =
-    "INPUT is one of\n"
-    "  FILE.pcd             an organized cloud\n"
-    "  FILE.png             a 16-bit depth image, with --intrinsics and --depth-scale\n"
-    "  FOLDER               of .pcd files (or else of depth images)\n"
-    "  FOLDER               of a TUM RGB-D recording (it has a depth.txt)\n"
-    "  sim:SCENE[:SEED]     a simulated frame, such as sim:table_single; SEED is 1 or "
-    "what "
-    "you say\n"
-    "  live:[DEVICE]        a camera that OpenNI 2 knows: any, #2 for the second, its "
-    "URI, "
-    "or a\n"
-    "                       recording FILE.oni\n";
+    R"(INPUT is one of
+  FILE.pcd          an organized cloud, metres, in the frame of the camera: z forward, y down
+  FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale
+  FOLDER            of .pcd files (or else of depth images)
+  FOLDER            of a TUM RGB-D recording (it has a depth.txt)
+  sim:SCENE[:SEED]  a simulated frame of table_single, table_cluttered, room, corridor or
+                    floor_obstacles; SEED is 1 or what you say
+  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
+                    recording FILE.oni
+)";
+
+const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line or an "
+                         "input is wrong, or a file "
+                         "cannot be\nwritten; a line on stderr then says what to do.\n";
+
+const char base_transform_help[] =
+    "where the camera is in the frame of the robot (x forward, y left, z up), in "
+    "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
+    "that of a simulated camera, or else the largest plane that faces up in the image "
+    "is taken for the floor, or for a table";
 
 po::options_description
 inputOptionsDescription ()
 {
-  po::options_description description ("Input");
+  po::options_description description ("Input", help_width);
   description.add_options() (
       "intrinsics",
       po::value<std::string>()->value_name ("fx,fy,cx,cy"),
-      "camera of depth images, in pixels; TUM RGB-D folders have a default") (
+      "camera of depth images: focal lengths and principal point, in pixels; TUM RGB-D "
+      "folders have a default") (
       "depth-scale",
       po::value<std::string>()->value_name ("UNITS_PER_M"),
       "what depth images hold at 1 m; 5000 for TUM RGB-D folders") (
       "resolution",
       po::value<std::string>()->value_name ("vga|qvga|qqvga")->default_value ("vga"),
-      "take every 1st, 2nd or 4th pixel") (
+      "take every 1st, 2nd or 4th pixel of every 1st, 2nd or 4th row") (
       "frames",
       po::value<std::string>()->value_name ("N"),
-      "stop after N frames; a live camera gives one unless told otherwise");
+      "stop after N frames; without, a live camera gives one, but plays on in a "
+      "window");
   return description;
 }
 

@@ -24,6 +24,12 @@ catchInterruption ()
     std::signal (signal, SIG_IGN);
 }
 
+bool
+isInterrupted ()
+{
+  return interrupted != 0;
+}
+
 void
 stopIfInterrupted ()
 {

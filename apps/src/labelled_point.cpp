@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/labelled_point.h>
-#include <pcl/conversions.h>
-#include <pcl/io/pcd_io.h>
-
-#include <sstream>
-#include <stdexcept>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -22,13 +18,9 @@ encodeLabels (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
     labelled[i].getNormalVector3fMap() = normals[i].getNormalVector3fMap();
     labelled[i].label = labels[i].label;
   }
-  pcl::PCLPointCloud2 blob;
-  pcl::toPCLPointCloud2 (labelled, blob);
-  std::ostringstream stream;
-  if (pcl::PCDWriter().writeBinaryCompressed (
-          stream, blob, cloud.sensor_origin_, cloud.sensor_orientation_) < 0)
-    throw std::runtime_error ("cannot encode the labelled cloud");
-  return stream.str();
+  labelled.sensor_origin_ = cloud.sensor_origin_;
+  labelled.sensor_orientation_ = cloud.sensor_orientation_;
+  return encodePcd (labelled);
 }
 
 } // namespace rgbd_planes

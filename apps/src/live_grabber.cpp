@@ -14,6 +14,15 @@
 namespace pcl {
 namespace rgbd_planes {
 
+std::optional<std::string>
+liveDevice (const std::string& input)
+{
+  const std::string live = "live:";
+  if (input.compare (0, live.size(), live) != 0)
+    return std::nullopt;
+  return input.substr (live.size());
+}
+
 std::unique_ptr<pcl::Grabber>
 openLiveGrabber (const std::string& device)
 {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/object_pictures.h>
+#include <pcl/apps/scene_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@ namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-const pcl::RGB white (255, 255, 255);
-const pcl::RGB red (255, 40, 40);
 
 /** Sums for a line pixel = focal * slope + center. */
 struct LineFit {
@@ -51,6 +49,14 @@ public:
   {}
 
   void
+  draw (const ColouredLine& line)
+  {
+    for (std::size_t k = 1; k < line.points.size(); ++k)
+      draw (line.points[k - 1], line.points[k], line.colour);
+  }
+
+private:
+  void
   draw (const Eigen::Vector3f& from, const Eigen::Vector3f& to, const pcl::RGB& colour)
   {
     constexpr float nearest_m = 0.05f;
@@ -63,7 +69,6 @@ public:
       set (a + (b - a) * (static_cast<float> (k) / static_cast<float> (steps)), colour);
   }
 
-private:
   Eigen::Vector2f
   project (const Eigen::Vector3f& p) const
   {
@@ -83,30 +88,6 @@ private:
   Intrinsics camera_;
   Picture& picture_;
 };
-
-void
-drawBox (const pcl::SupportedObject& object, LineDrawer& lines)
-{
-  const auto corner = [&] (int k) -> Eigen::Vector3f {
-    const Eigen::Vector3f signs (
-        k & 1 ? 0.5f : -0.5f, k & 2 ? 0.5f : -0.5f, k & 4 ? 0.5f : -0.5f);
-    return object.box_center + object.box_axes * signs.cwiseProduct (object.box_size);
-  };
-  for (int k = 0; k < 8; ++k)
-    for (const int bit : {1, 2, 4})
-      if (!(k & bit))
-        lines.draw (corner (k), corner (k | bit), object.graspable ? white : red);
-}
-
-void
-drawHull (const SupportPlane& support, LineDrawer& lines)
-{
-  const auto& corners = support.outline.corners();
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    lines.draw (support.unproject (corners[k]),
-                support.unproject (corners[(k + 1) % corners.size()]),
-                planeColour (static_cast<std::uint32_t> (support.index)));
-}
 
 } // namespace
 
@@ -145,9 +126,11 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
   LineDrawer lines (fitCamera (cloud), picture);
   for (const auto& support : supports)
     if (!support.is_on_object)
-      drawHull (support, lines);
+      lines.draw (
+          hullLine (support, planeColour (static_cast<std::uint32_t> (support.index))));
   for (const auto& object : objects)
-    drawBox (object, lines);
+    for (const auto& edge : boxLines (object))
+      lines.draw (edge);
   return picture;
 }
 

@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/input_options.h>
 #include <pcl/apps/object_comparison.h>
 
 #include <boost/program_options/options_description.hpp>
@@ -30,12 +31,15 @@ on any object. Obstacles count from the larger of 1 cm and three standard deviat
 depth on, and are found when half of their points are. False are floor points that are
 called an obstacle. The rate is that of all stages on one thread: normals, planes,
 objects, obstacles.
+
+  pcl_evaluate_detection sim:table_cluttered sim:floor_obstacles --json detection.json
+  pcl_evaluate_detection folder_of_pcds --resolution qvga
 )";
 
 void
 evaluateDetection (int argc, char** argv)
 {
-  po::options_description own ("Objects");
+  po::options_description own ("Objects", help_width);
   own.add_options() ("object-methods",
                      "a second table: objects with and without the split at concave "
                      "edges, and those of PCL's LCCPSegmentation, which takes long");

@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/input_options.h>
 #include <pcl/apps/plane_comparison.h>
 #include <pcl/apps/plane_comparison_table.h>
 
@@ -29,6 +30,9 @@ table is found: IoU of its points and the best plane, mean and worst frame; puri
 that belong to what most points of their plane belong to, the table or one object. Of
 simulated frames it tells the share of the points on cylinders and spheres that carry the
 label of a plane, and of one that has most of its points on such surfaces (shattered).
+
+  pcl_evaluate_planes sim:room:{1..10} --json planes.json
+  pcl_evaluate_planes folder_of_pcds --right-angles floor
 )";
 
 std::optional<RightAngles::Pairs>
@@ -47,7 +51,7 @@ readRightAngles (const po::variables_map& values)
 void
 evaluatePlanes (int argc, char** argv)
 {
-  po::options_description own ("Right angles");
+  po::options_description own ("Right angles", help_width);
   own.add_options() ("right-angles",
                      po::value<std::string>()->value_name ("all|floor"),
                      "the scene is right-angled: how far planes with 2 % of the pixels "

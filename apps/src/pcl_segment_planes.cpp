@@ -33,11 +33,24 @@ struct Options {
   std::optional<fs::path> json;
 };
 
+const char usage[] =
+    R"(pcl_segment_planes INPUT [options]
+
+Finds the planes of RGB-D frames, objects on them, and obstacles. Prints a list of them and
+the time of each stage; writes pictures, clouds and tables where --output says so. Files
+appear when all frames are done; after an error there are none.
+
+  pcl_segment_planes my.pcd --output result
+  pcl_segment_planes depth.png --intrinsics 525,525,319.5,239.5 --depth-scale 1000
+  pcl_segment_planes sim:table_single:7 --resolution qvga --objects --obstacles
+
+)";
+
 /** Nothing where only help was asked for, which is printed. */
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
-  po::options_description options ("Options");
+  po::options_description options ("Options", help_width);
   options.add_options() ("help", "print this help") (
       "min-inliers",
       po::value<std::string>()->value_name ("N"),
@@ -48,26 +61,22 @@ readOptions (int argc, char** argv)
       "find what a robot must not drive into, and write a virtual laser scan of it") (
       "base-transform",
       po::value<std::string>()->value_name ("x,y,z,roll,pitch,yaw"),
-      "where the camera is in the frame of the robot (x forward, y left, z up), in "
-      "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
-      "that of a simulated camera, or else the largest plane that faces up in the "
-      "image "
-      "is taken for the floor, or for a table") (
+      base_transform_help) (
       "output",
       po::value<std::string>()->value_name ("DIR"),
-      "write pictures, labelled clouds, planes.csv, objects.csv, obstacles.csv, scans "
-      "and result.json there") ("json",
-                                po::value<std::string>()->value_name ("FILE"),
-                                "write the result as JSON");
+      "write there, for each frame, FRAME_planes.png, FRAME_normals.png, "
+      "FRAME_depth.png "
+      "and FRAME_labels.pcd (x y z normal label), with --objects FRAME_objects.png, "
+      "with "
+      "--obstacles FRAME_obstacles.png and FRAME_scan.csv; for all frames planes.csv, "
+      "objects.csv, obstacles.csv and result.json") (
+      "json",
+      po::value<std::string>()->value_name ("FILE"),
+      "write the result as JSON");
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
-    std::cout << "pcl_segment_planes INPUT [options]\n\n"
-                 "Finds the planes of RGB-D frames, objects on them, and obstacles. "
-                 "Files appear when all frames\nare done; after an error there are "
-                 "none.\n\n"
-              << input_help << '\n'
-              << options;
+    std::cout << usage << input_help << '\n' << options << '\n' << exit_help;
     return std::nullopt;
   }
   if (!values.count ("input"))
@@ -97,12 +106,7 @@ void
 prepareOutput (const Options& options, OutputFiles& files)
 {
   if (options.output) {
-    std::error_code error;
-    if (fs::is_directory (options.input.input) &&
-        fs::equivalent (options.input.input, *options.output, error))
-      throw AppError (options.output->string() +
-                      ": --output is the INPUT folder, whose next run would take the "
-                      "results for frames; choose another folder");
+    refuseInputFolder (options.input.input, *options.output);
     files.createFolder (*options.output);
     files.write (*options.output / "result.json", "");
     files.write (*options.output / "planes.csv", "");

@@ -3,13 +3,12 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
+#include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/apps/pictures.h>
-#include <pcl/conversions.h>
-#include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/plane_extraction.h>
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
@@ -18,7 +17,6 @@
 
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
@@ -49,15 +47,22 @@ parseSensor (const std::string& text)
 void
 printHelp (const po::options_description& options)
 {
-  std::cout
-      << "pcl_simulate_rgbd SCENE --output DIR [options]\n\n"
-         "Renders a frame of an RGB-D camera and what is true about it: NAME.pcd, "
-         "NAME_truth.pcd\nand the pictures NAME_colour.png, NAME_depth.png and "
-         "NAME_planes.png, where NAME is\nSCENE_SEED_SENSOR_RESOLUTION.\n\nSCENE "
-         "is one of";
+  std::cout << R"(pcl_simulate_rgbd SCENE --output DIR [options]
+
+Renders a frame of an RGB-D camera and what is true about it. Writes, with NAME for
+SCENE_SEED_SENSOR_RESOLUTION,
+  NAME.pcd         the organized cloud, x y z rgb, in metres: z forward, y down
+  NAME_truth.pcd   x y z and normal of what each pixel truly sees, the label of its plane
+                   (0: none), its object (0: none), obstacle (1: not the floor), edge (1: near one)
+  NAME_colour.png, NAME_depth.png and NAME_planes.png
+
+  pcl_simulate_rgbd room --output simulated
+  pcl_simulate_rgbd table_cluttered --seed 7 --sensor ideal --resolution qvga --output simulated
+
+SCENE is one of)";
   for (const auto& scene : sceneNames())
     std::cout << ' ' << scene;
-  std::cout << "\n\n" << options;
+  std::cout << "\n\n" << options << '\n' << exit_help;
 }
 
 /** Nothing where only help was asked for, which is printed. */
@@ -67,9 +72,11 @@ readOptions (int argc, char** argv)
   const auto text = [] (const char* name) {
     return po::value<std::string>()->value_name (name);
   };
-  po::options_description options ("Options");
+  po::options_description options ("Options", help_width);
   options.add_options() ("help", "print this help") (
-      "seed", text ("S")->default_value ("1"), "another layout, viewpoint and noise") (
+      "seed",
+      text ("S")->default_value ("1"),
+      "a whole number: another layout, viewpoint and noise") (
       "sensor",
       text ("ideal|kinect")->default_value ("kinect"),
       "depth without errors, or with those of Microsoft's first Kinect") (
@@ -97,28 +104,6 @@ readOptions (int argc, char** argv)
                  value ("output"),
                  scene + '_' + std::to_string (seed) + '_' + value ("sensor") + '_' +
                      value ("resolution")};
-}
-
-template <typename PointT>
-std::string
-encodePcd (const pcl::PointCloud<PointT>& cloud)
-{
-  pcl::PCLPointCloud2 blob;
-  pcl::toPCLPointCloud2 (cloud, blob);
-  std::ostringstream stream;
-  if (pcl::PCDWriter().writeBinaryCompressed (
-          stream, blob, cloud.sensor_origin_, cloud.sensor_orientation_) < 0)
-    throw std::runtime_error ("cannot encode a cloud");
-  return stream.str();
-}
-
-Picture
-colourPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
-{
-  Picture picture (cloud.width, cloud.height);
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    picture[i] = pcl::RGB (cloud[i].r, cloud[i].g, cloud[i].b);
-  return picture;
 }
 
 /** The true planes, numbered as a segmentation does. */

@@ -48,6 +48,15 @@ planeColour (std::uint32_t id)
 }
 
 Picture
+colourPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
+{
+  Picture picture (cloud.width, cloud.height);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    picture[i] = pcl::RGB (cloud[i].r, cloud[i].g, cloud[i].b);
+  return picture;
+}
+
+Picture
 planesPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
                const pcl::PointCloud<pcl::Label>& labels)
 {

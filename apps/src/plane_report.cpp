@@ -188,6 +188,27 @@ objectsCsv (const std::vector<FrameSummary>& frames)
   return csv;
 }
 
+std::string
+planeText (const PlaneSummary& plane)
+{
+  const auto& [a, b, c, d] = plane.coefficients;
+  return (boost::format (
+              "%.4f x %+.4f y %+.4f z %+.4f = 0, %d points, rms %.1f mm, %s") %
+          a % b % c % d % plane.points % (1e3 * plane.rms) % plane.plane_class)
+      .str();
+}
+
+std::string
+stageTimesText (const StageTimes& times)
+{
+  std::string text;
+  for (const Stage& stage : stages)
+    if (times.*stage.time > 0.)
+      text += (boost::format ("%-26s %6.1f ms\n") % stage.title % (times.*stage.time))
+                  .str();
+  return text;
+}
+
 void
 printStageTimes (std::ostream& out, const std::vector<FrameSummary>& frames)
 {

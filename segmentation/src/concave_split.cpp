@@ -66,22 +66,21 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
   first_place_.clear();
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     first_place_.push_back (places_.size());
-    for (const auto index : clusters[k].indices) {
-      const auto point = static_cast<std::uint32_t> (index);
-      const std::uint32_t i = image_.place (point);
-      if (image_.owner[i] != 0)
-        continue;
-      const float* p = points[point];
-      const float* normal = normals.normal + point * normals.stride;
-      places_.push_back (i);
-      image_.owner[i] = static_cast<std::uint32_t> (k + 1);
-      image_.x[i] = p[0];
-      image_.y[i] = p[1];
-      image_.z[i] = p[2];
-      image_.normal_x[i] = normal[0];
-      image_.normal_y[i] = normal[1];
-      image_.normal_z[i] = normal[2];
-    }
+    image_.forEachPlace (
+        clusters[k].indices, [&] (std::uint32_t point, std::uint32_t i) {
+          if (image_.owner[i] != 0)
+            return;
+          const float* p = points[point];
+          const float* normal = normals.normal + point * normals.stride;
+          places_.push_back (i);
+          image_.owner[i] = static_cast<std::uint32_t> (k + 1);
+          image_.x[i] = p[0];
+          image_.y[i] = p[1];
+          image_.z[i] = p[2];
+          image_.normal_x[i] = normal[0];
+          image_.normal_y[i] = normal[1];
+          image_.normal_z[i] = normal[2];
+        });
   }
   first_place_.push_back (places_.size());
 }
@@ -176,12 +175,13 @@ ConcaveSplit::collect (std::vector<ObjectCluster>& clusters)
     parts_[k].support = part_support_[k];
   }
   for (std::size_t k = 0; k < clusters.size(); ++k)
-    for (const auto index : clusters[k].indices) {
-      const std::uint32_t i = image_.place (static_cast<std::uint32_t> (index));
-      // Cells without a part have none near them, or are of another cluster.
-      const bool has_part = image_.owner[i] == k + 1 && part_[i] != 0;
-      parts_[(has_part ? part_[i] : first_part_[k]) - 1].indices.push_back (index);
-    }
+    image_.forEachPlace (
+        clusters[k].indices, [&] (std::uint32_t point, std::uint32_t i) {
+          // Cells without a part have none near them, or are of another cluster.
+          const bool has_part = image_.owner[i] == k + 1 && part_[i] != 0;
+          parts_[(has_part ? part_[i] : first_part_[k]) - 1].indices.push_back (
+              static_cast<pcl::index_t> (point));
+        });
   std::swap (clusters, parts_);
 }
 
@@ -190,10 +190,9 @@ std::uint32_t
 ConcaveSplit::partWithPlane (const pcl::Indices& inliers)
 {
   plane_points_.assign (part_support_.size() + 1, 0);
-  for (const auto index : inliers) {
-    const std::uint32_t i = image_.place (static_cast<std::uint32_t> (index));
+  image_.forEachPlace (inliers, [&] (std::uint32_t, std::uint32_t i) {
     ++plane_points_[image_.owner[i] != 0 ? part_[i] : 0];
-  }
+  });
   const auto most = std::max_element (plane_points_.begin() + 1, plane_points_.end());
   constexpr double nearly_all = 0.8;
   if (most == plane_points_.end() ||

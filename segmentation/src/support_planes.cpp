@@ -4,6 +4,7 @@
 #include <pcl/segmentation/support_planes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <random>
@@ -22,6 +23,10 @@ constexpr float refit_sigmas = 3.f;
 /** Heights of planes are uncertain by so many standard deviations of depth: the floor is
  * within a range that starts at 0. */
 constexpr float height_sigmas = 3.f;
+
+/** So many points of a thing tell where most of it is. */
+constexpr std::size_t decisive_sample = 100;
+constexpr double nearly_all = 0.9;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
 float
@@ -106,6 +111,27 @@ SupportPlanes::compute (const OrganizedPoints& points,
     return a.height != b.height ? a.height > b.height : a.index < b.index;
   });
   markPlanesOnObjects (points, planes, parameters);
+  findBackground (points, planes, parameters);
+}
+
+void
+SupportPlanes::findBackground (const OrganizedPoints& points,
+                               const std::vector<SegmentedPlane>& planes,
+                               const ObjectParameters& parameters)
+{
+  background_.clear();
+  for (const auto& plane : planes) {
+    std::size_t elsewhere = 0, all = 0;
+    sampleInliers (points, *plane.inliers, decisive_sample, [&] (const auto& p) {
+      ++all;
+      elsewhere += std::all_of (
+          supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+            return levelOf (p.data(), support, parameters) == Level::elsewhere;
+          });
+    });
+    if (2 * elsewhere > all)
+      background_.push_back (plane.plane);
+  }
 }
 
 void
@@ -113,20 +139,22 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
                                     const std::vector<SegmentedPlane>& planes,
                                     const ObjectParameters& parameters)
 {
-  constexpr std::size_t sample = 100;
   for (std::size_t k = supports_.size(); k-- > 0;) { // the lowest first
     std::size_t on_lower = 0, all = 0;
-    sampleInliers (
-        points, *planes[supports_[k].index].inliers, sample, [&] (const auto& p) {
-          ++all;
-          on_lower += std::any_of (
-              supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
-              supports_.end(),
-              [&] (const SupportPlane& lower) {
-                return !lower.is_on_object &&
-                       levelOf (p.data(), lower, parameters) != Level::elsewhere;
-              });
-        });
+    sampleInliers (points,
+                   *planes[supports_[k].index].inliers,
+                   decisive_sample,
+                   [&] (const auto& p) {
+                     ++all;
+                     on_lower += std::any_of (
+                         supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
+                         supports_.end(),
+                         [&] (const SupportPlane& lower) {
+                           return !lower.is_on_object &&
+                                  levelOf (p.data(), lower, parameters) !=
+                                      Level::elsewhere;
+                         });
+                   });
     supports_[k].is_on_object = 2 * on_lower > all;
   }
 }
@@ -208,14 +236,35 @@ liesAbove (const OrganizedPoints& points,
            const SupportPlane& support,
            const ObjectParameters& parameters)
 {
-  constexpr std::size_t sample = 100;
-  constexpr double nearly_all = 0.9;
   std::size_t above = 0, all = 0;
-  sampleInliers (points, thing, sample, [&] (const auto& p) {
+  sampleInliers (points, thing, decisive_sample, [&] (const auto& p) {
     ++all;
     above += levelOf (p.data(), support, parameters) == Level::above;
   });
   return static_cast<double> (above) >= nearly_all * static_cast<double> (all);
+}
+
+bool
+liesOnOneOf (const std::vector<Plane>& planes,
+             const OrganizedPoints& points,
+             const pcl::Indices& thing,
+             const DepthNoise& noise)
+{
+  constexpr float sigmas = 3.f;
+  std::array<Eigen::Vector3f, 2 * decisive_sample> sample;
+  std::size_t size = 0;
+  sampleInliers (
+      points, thing, decisive_sample, [&] (const auto& p) { sample[size++] = p; });
+  const auto may_be_off =
+      static_cast<std::size_t> ((1. - nearly_all) * static_cast<double> (size));
+  return std::any_of (planes.begin(), planes.end(), [&] (const Plane& plane) {
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < size && off <= may_be_off; ++i) {
+      const float* p = sample[i].data();
+      off += !isWithinNoise (p, plane, plane.distance (p), sigmas, noise);
+    }
+    return off <= may_be_off;
+  });
 }
 
 } // namespace rgbd_planes

@@ -45,13 +45,9 @@ segmentAndTrack (const InputOptions& input)
     const Frame frame = source.read (i);
     const FrameSummary summary = segmenter.segment (frame);
     Segmented segmented{frame.name, frame.cloud, segmenter.labels(), {}, {}};
-    std::vector<pcl::ModelCoefficients> models (summary.planes.size());
-    for (std::size_t p = 0; p < models.size(); ++p) {
-      const auto& plane = summary.planes[p];
-      models[p].values.assign (plane.coefficients.begin(), plane.coefficients.end());
+    for (const auto& plane : summary.planes)
       segmented.pixels.push_back (plane.points);
-    }
-    tracker.track (models, segmented.labels, segmented.ids);
+    tracker.track (segmenter.models(), segmented.labels, segmented.ids);
     sequence.push_back (std::move (segmented));
   }
   return sequence;

@@ -91,6 +91,22 @@ TEST (SupportedObjectExtraction, TableWithoutObjects)
     EXPECT_TRUE (extract (look ({floor_slab, table}, {}, noise)).empty());
 }
 
+TEST (SupportedObjectExtraction, WallBehindATableIsNoObject)
+{
+  // A part of it, that a frame in front cuts out, is as high as an object.
+  const Box wall{{1.66f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box left = onTable (1.5f, 0.25f, {0.05f, 0.1f, 0.25f});
+  const Box right = onTable (1.5f, -0.25f, {0.05f, 0.1f, 0.25f});
+  const Box beam{{1.5f, 0.f, table_height + 0.25f}, {0.05f, 0.6f, 0.3f}};
+  const Box mug = onTable (1.1f, 0.1f, {0.08f, 0.08f, 0.1f});
+  const View view = look ({floor_slab, table, wall, left, right, beam, mug});
+  const Objects objects = extract (view);
+  EXPECT_GT (bestIou (objects, view, 6), 0.9);
+  const auto of_wall = view.pixelsOf (2);
+  for (const auto& object : objects)
+    EXPECT_EQ (of_wall.count (object.indices.indices.front()), 0u);
+}
+
 TEST (SupportedObjectExtraction, KnowsABox)
 {
   const Box box = onTable (1.1f, 0.1f, {0.1f, 0.06f, 0.12f}, 0.5f);

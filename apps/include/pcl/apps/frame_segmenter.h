@@ -109,6 +109,13 @@ public:
     return *labels_;
   }
 
+  /** \brief a, b, c, d of each plane of the last frame, as PCL gives them. */
+  const std::vector<pcl::ModelCoefficients>&
+  models () const
+  {
+    return coefficients_;
+  }
+
   /** \brief The planes that objects were looked for on. */
   const std::vector<SupportPlane>&
   supportPlanes () const

@@ -27,6 +27,9 @@ readInputOptions (const std::string& input,
 unsigned
 parseCount (const std::string& option, const std::string& text);
 
+/** \brief What --help says about --base-transform. */
+extern const char base_transform_help[];
+
 /** \brief The value of --base-transform, x,y,z,roll,pitch,yaw in metres and degrees: from the
  * camera optical frame (x right, y down, z forward) to the frame of the robot (x forward, y
  * left, z up) for a camera at x, y, z that looks along x, then is turned about x, y and z in
@@ -45,6 +48,12 @@ resolutionName (std::uint32_t step);
 
 /** \brief What --help says about INPUT. */
 extern const char input_help[];
+
+/** \brief What --help says about the exit code. */
+extern const char exit_help[];
+
+/** \brief Columns of --help. */
+constexpr unsigned help_width = 100;
 
 } // namespace rgbd_planes
 } // namespace pcl

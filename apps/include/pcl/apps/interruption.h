@@ -7,11 +7,15 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief From now on, SIGINT (Ctrl-C) and SIGTERM do not end the program, but are found by
- * stopIfInterrupted(), and those of a full quota (SIGXFSZ) or a reader that has ended (SIGPIPE)
+ * the functions below, and those of a full quota (SIGXFSZ) or a reader that has ended (SIGPIPE)
  * become errors of writing: temporary files go. To be called before the first of them is
  * written. */
 void
 catchInterruption ();
+
+/** \brief Whether a signal came. */
+bool
+isInterrupted ();
 
 /** \brief Throws AppError if a signal came. To be called after each frame and before files are
  * committed. */

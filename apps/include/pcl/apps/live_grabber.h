@@ -6,10 +6,15 @@
 #include <pcl/io/grabber.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pcl {
 namespace rgbd_planes {
+
+/** \brief The device of an input "live:DEVICE"; nothing for other inputs. */
+std::optional<std::string>
+liveDevice (const std::string& input);
 
 /** \brief A camera that OpenNI 2 knows: Primesense, Asus Xtion, Kinect v1.
  * \param[in] device empty for any, \c #2 for the second one, its URI, or an .oni file that is

@@ -50,5 +50,11 @@ private:
   std::vector<std::filesystem::path> created_folders_;
 };
 
+/** \brief AppError where \a output is the folder that frames are read from: the next run would
+ * take what is written there for frames. */
+void
+refuseInputFolder (const std::filesystem::path& input,
+                   const std::filesystem::path& output);
+
 } // namespace rgbd_planes
 } // namespace pcl

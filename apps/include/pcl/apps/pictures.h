@@ -21,6 +21,10 @@ using Picture = pcl::PointCloud<pcl::RGB>;
 pcl::RGB
 planeColour (std::uint32_t id);
 
+/** \brief What the camera sees. */
+Picture
+colourPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
+
 /** \brief The planes of a frame: each in its planeColour(), black where depth is
  * missing, grey where there is no plane.
  * \param[in] cloud an organized cloud, NaN where depth is missing

@@ -16,6 +16,14 @@ namespace rgbd_planes {
 void
 printPlanes (std::ostream& out, const FrameSummary& frame);
 
+/** \brief The coefficients, number of points, rms distance and class of a plane, in a line. */
+std::string
+planeText (const PlaneSummary& plane);
+
+/** \brief The time of each stage that ran, one a line, milliseconds. */
+std::string
+stageTimesText (const StageTimes& times);
+
 /** \brief Prints minimum, median and maximum over the frames of the time of each stage.
  */
 void

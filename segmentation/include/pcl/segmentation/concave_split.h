@@ -26,11 +26,22 @@ public:
   void
   resize (int width, int height);
 
-  /** \brief Where the cell of a point is in the arrays. */
-  std::uint32_t
-  place (std::uint32_t point) const
+  /** \brief Calls use (point, i), where i is the place of the cell of the point in the arrays.
+   * Fastest where points follow each other in rows. */
+  template <typename Use>
+  void
+  forEachPlace (const pcl::Indices& points, const Use& use) const
   {
-    return first_ + (point / width_ >> shift_) * stride_ + (point % width_ >> shift_);
+    std::uint32_t row_begin = 0, row_length = 0, row_place = 0;
+    for (const auto index : points) {
+      const auto point = static_cast<std::uint32_t> (index);
+      if (point - row_begin >= row_length) { // also where it is less than row_begin
+        row_begin = point / width_ * width_;
+        row_length = width_;
+        row_place = first_ + (point / width_ >> shift_) * stride_;
+      }
+      use (point, row_place + ((point - row_begin) >> shift_));
+    }
   }
 
   /** \brief From one row to the next. */

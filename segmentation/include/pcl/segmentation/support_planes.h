@@ -105,6 +105,13 @@ liesAbove (const OrganizedPoints& points,
            const SupportPlane& support,
            const ObjectParameters& parameters);
 
+/** \brief Whether nearly all points of a thing lie on one of \a planes. */
+PCL_RGBD_PLANES_EXPORTS bool
+liesOnOneOf (const std::vector<Plane>& planes,
+             const OrganizedPoints& points,
+             const pcl::Indices& thing,
+             const DepthNoise& noise);
+
 /** \brief Finds the horizontal planes in a range of heights, optimises their models and
  * computes their hulls (Holz et al. 2011, section 5.1). */
 class PCL_RGBD_PLANES_EXPORTS SupportPlanes {
@@ -121,6 +128,14 @@ public:
   planes () const
   {
     return supports_;
+  }
+
+  /** \brief The planes most of whose points are neither on nor above a supporting one, such as
+   * walls. */
+  const std::vector<Plane>&
+  background () const
+  {
+    return background_;
   }
 
 private:
@@ -142,7 +157,13 @@ private:
                        const std::vector<SegmentedPlane>& planes,
                        const ObjectParameters& parameters);
 
+  void
+  findBackground (const OrganizedPoints& points,
+                  const std::vector<SegmentedPlane>& planes,
+                  const ObjectParameters& parameters);
+
   std::vector<SupportPlane> supports_;
+  std::vector<Plane> background_;
   std::vector<Eigen::Vector3f> sample_;
   std::vector<Eigen::Vector2f> border_;
 };

@@ -6,6 +6,7 @@
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -203,17 +204,24 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
   supports_.compute (points, planes_, camera_to_base_, parameters_);
   clustering_.compute (points, selected_, supports_.planes(), parameters_);
   clusters_ = clustering_.clusters();
-  if (!parameters_.split_at_concave_edges)
-    return;
-  const PointNT& first = normals_->front();
-  split_.compute (
-      points,
-      {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
-      clustering_.pixelAngle(),
-      planes_,
-      supports_.planes(),
-      parameters_,
-      clusters_);
+  if (parameters_.split_at_concave_edges) {
+    const PointNT& first = normals_->front();
+    split_.compute (
+        points,
+        {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
+        clustering_.pixelAngle(),
+        planes_,
+        supports_.planes(),
+        parameters_,
+        clusters_);
+  }
+  // Strips of the wall behind a table.
+  const auto isBackground = [&] (const rgbd_planes::ObjectCluster& cluster) {
+    return rgbd_planes::liesOnOneOf (
+        supports_.background(), points, cluster.indices, parameters_.noise);
+  };
+  clusters_.erase (std::remove_if (clusters_.begin(), clusters_.end(), isBackground),
+                   clusters_.end());
 }
 
 template <typename PointT, typename PointNT>

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/app_error.h>
+#include <pcl/apps/plane_report.h>
+#include <pcl/apps/viewer_frame.h>
+#include <pcl/simulation/subsample.h>
+
+#include <limits>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+SegmenterOptions
+withEverything (const std::optional<Eigen::Affine3f>& camera_to_base)
+{
+  SegmenterOptions options;
+  options.find_objects = true;
+  options.find_obstacles = true;
+  options.camera_to_base = camera_to_base;
+  return options;
+}
+
+} // namespace
+
+ViewerFrame::ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base)
+: segmenter_ (withEverything (camera_to_base))
+{
+  frame_.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
+}
+
+void
+ViewerFrame::compute (const Frame& frame, std::uint32_t step)
+{
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (
+      subsample (*frame.cloud, step));
+  if (cloud->width < 2 || cloud->height < 2)
+    throw AppError ("frame " + frame.name +
+                    " is unorganized, or too small for this resolution; give organized "
+                    "clouds, and use --resolution vga");
+  frame_ = frame;
+  frame_.cloud = std::move (cloud);
+  summary_ = segmenter_.segment (frame_);
+  tracker_.track (segmenter_.models(), segmenter_.labels(), ids_);
+}
+
+std::string
+ViewerFrame::describePlane (const Eigen::Vector3f& place) const
+{
+  std::size_t nearest = 0;
+  float smallest = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < cloud().size(); ++i) {
+    const float distance = (cloud()[i].getVector3fMap() - place).squaredNorm();
+    if (distance < smallest) {
+      smallest = distance;
+      nearest = i;
+    }
+  }
+  if (smallest == std::numeric_limits<float>::infinity())
+    return "no point here";
+  const std::uint32_t plane = segmenter_.labels()[nearest].label;
+  if (plane == unlabelled)
+    return "no plane here";
+  return "plane " + std::to_string (ids_[plane]) + ": " +
+         planeText (summary_.planes[plane]);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

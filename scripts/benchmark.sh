@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# benchmark.sh [--quick] [DOC]: runs the benchmarks and the evaluations on simulated frames, and
+# renews the tables of DOC/benchmarks.md and the plots in DOC/images; DOC is doc by default. Takes
+# half an hour on an idle machine. --quick takes a minute and is only good to try the script.
+# BUILD is the folder with the programs, build by default.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=${BUILD:-build}
+seeds=10
+options=(--benchmark_repetitions=5 --benchmark_enable_random_interleaving=true)
+if [ "${1:-}" = --quick ]; then
+  seeds=1
+  options=(--benchmark_repetitions=2 --benchmark_min_time=0.01 --benchmark_filter=-lccp)
+  shift
+fi
+doc=${1:-doc}
+for tool in gnuplot python3; do
+  command -v "$tool" >/dev/null ||
+    { echo "$tool is missing: run scripts/install_dependencies.sh" >&2; exit 1; }
+done
+[ -f "$doc/benchmarks.md" ] || { echo "$doc: has no benchmarks.md" >&2; exit 1; }
+for program in pcl_rgbd_planes_benchmark pcl_evaluate_normals pcl_evaluate_planes; do
+  [ -x "$build/bin/$program" ] ||
+    { echo "$build/bin/$program is missing: cmake --preset release && cmake --build build" >&2
+      exit 1; }
+done
+
+frames=()
+for scene in table_single table_cluttered room corridor; do
+  for seed in $(seq "$seeds"); do
+    frames+=("sim:$scene:$seed")
+  done
+done
+results=$build/benchmark_results
+mkdir -p "$results" "$doc/images"
+echo "Benchmarks"
+"$build/bin/pcl_rgbd_planes_benchmark" "${options[@]}" --benchmark_report_aggregates_only=true \
+  --benchmark_out="$results/speed.json" >/dev/null 2>&1
+echo "Normals of ${#frames[@]} frames"
+"$build/bin/pcl_evaluate_normals" "${frames[@]}" --json "$results/normals.json" >/dev/null
+echo "Planes of ${#frames[@]} frames"
+"$build/bin/pcl_evaluate_planes" "${frames[@]}" --json "$results/planes.json" >/dev/null
+python3 scripts/benchmark_report.py "$results" "$doc"

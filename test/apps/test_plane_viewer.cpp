@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "app_test.h"
+#include "x_client.h"
+#include <sys/types.h>
+
+#include <pcl/apps/pictures.h>
+#include <pcl/apps/viewer_layers.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+class PlaneViewerApp : public AppTest {
+protected:
+  PlaneViewerApp() : AppTest (PLANE_VIEWER) {}
+
+  void
+  SetUp () override
+  {
+    if (!std::getenv ("DISPLAY"))
+      GTEST_SKIP() << "there is no display: install the packages xvfb and xauth";
+    // A wall, then nothing.
+    writePng (folder_ / "1.png", 160, std::vector<std::uint16_t> (160 * 120, 1500));
+    writePng (folder_ / "2.png", 160, std::vector<std::uint16_t> (160 * 120, 0));
+  }
+
+  /** The pixels of the colour of the first plane in the lower half, in percent. */
+  double
+  percentOfFirstPlane (const std::string& file) const
+  {
+    const RgbImage image = readRgbPng (folder_ / file);
+    EXPECT_EQ (image.width, 1024u);
+    EXPECT_EQ (image.height, 768u);
+    const pcl::RGB colour = planeColour (0);
+    std::size_t found = 0, all = 0;
+    for (std::size_t i = image.samples.size() / 2; i < image.samples.size();
+         i += 3, ++all)
+      found += image.samples[i] == colour.r && image.samples[i + 1] == colour.g &&
+               image.samples[i + 2] == colour.b;
+    return 100. * static_cast<double> (found) / static_cast<double> (all);
+  }
+
+  /** Starts the application in the background; its exit code appears in the log "code". */
+  pid_t
+  start (const std::string& arguments) const
+  {
+    const Outcome result =
+        shell ("(" + application_ + " " + arguments +
+               " & echo $! >&3; wait $!; echo $? >'" + (logs_ / "code").string() +
+               "') 3>'" + (logs_ / "pid").string() + "' >/dev/null 2>&1 &");
+    EXPECT_EQ (result.code, 0);
+    EXPECT_TRUE (waitFor ([this] { return !contents ("pid").empty(); }));
+    return static_cast<pid_t> (std::stol (contents ("pid")));
+  }
+
+  /** What is in a log; nothing where it is not there yet. */
+  std::string
+  contents (const std::string& log) const
+  {
+    return std::filesystem::exists (logs_ / log) ? readFile (logs_ / log) : "";
+  }
+
+  /** The exit code of what start() started, once it ended. */
+  std::string
+  exitCode () const
+  {
+    waitFor ([this] { return !contents ("code").empty(); });
+    return contents ("code");
+  }
+
+  void
+  expectEndBySignal (int signal)
+  {
+    const pid_t process = start ("sim:room --resolution qqvga");
+    ASSERT_TRUE (person_.findWindow ("pcl_plane_viewer"));
+    kill (process, signal);
+    EXPECT_EQ (exitCode(), "0\n");
+  }
+
+  static bool
+  waitFor (const std::function<bool()>& condition)
+  {
+    for (int i = 0; i < 600 && !condition(); ++i)
+      std::this_thread::sleep_for (std::chrono::milliseconds (100));
+    return condition();
+  }
+
+  /** Is there all the time: Xvfb starts anew when its last client goes. */
+  XClient person_;
+  const std::string camera_ = " --intrinsics 131,131,79.5,59.5 --depth-scale 1000 ";
+  const std::string no_display_ = "env -u DISPLAY";
+};
+
+} // namespace
+
+TEST_F (PlaneViewerApp, ScreenshotsNeedNoDisplay)
+{
+  const Outcome result = run ("1.png --screenshot seen.png" + camera_, no_display_);
+  ASSERT_EQ (result.code, 0) << result.err;
+  EXPECT_EQ (result.err, "");
+  EXPECT_GT (percentOfFirstPlane ("seen.png"), 30.);
+}
+
+TEST_F (PlaneViewerApp, ScreenshotsShowTheLayersAskedFor)
+{
+  ASSERT_EQ (run ("1.png --show none --screenshot none.png" + camera_).code, 0);
+  EXPECT_EQ (percentOfFirstPlane ("none.png"), 0.);
+  ASSERT_EQ (run ("1.png --show planes --screenshot planes.png" + camera_).code, 0);
+  EXPECT_GT (percentOfFirstPlane ("planes.png"), 30.);
+}
+
+TEST_F (PlaneViewerApp, ScreenshotsAreOfTheFirstFrameOrTheLastOfSoMany)
+{
+  ASSERT_EQ (run (". --screenshot first.png" + camera_).code, 0);
+  EXPECT_GT (percentOfFirstPlane ("first.png"), 30.);
+  std::filesystem::rename (folder_ / "first.png", logs_ / "first.png");
+  ASSERT_EQ (run (". --frames 2 --screenshot second.png" + camera_).code, 0);
+  EXPECT_EQ (percentOfFirstPlane ("second.png"), 0.);
+}
+
+TEST_F (PlaneViewerApp, WithoutADisplayItSaysWhatToDo)
+{
+  expectRefused ("sim:room", "there is no display", no_display_);
+  expectRefused ("sim:room", "xvfb-run -a", no_display_);
+  expectRefused ("sim:room", "cannot open the display ':77'", "env DISPLAY=:77");
+  expectRefused ("sim:room --screenshot seen.png",
+                 "cannot open the display ':77'",
+                 "env DISPLAY=:77");
+  expectRefused ("sim:room --screenshot seen.png",
+                 "install the packages xvfb and xauth",
+                 "env -u DISPLAY PATH=/nonexistent");
+}
+
+TEST_F (PlaneViewerApp, BadUsageIsRefused)
+{
+  for (const std::string& before : {std::string(), no_display_}) {
+    expectRefused ("", "no INPUT", before);
+    expectRefused ("missing.pcd", "missing.pcd: no such file", before);
+    expectRefused (
+        "missing.pcd --screenshot seen.png", "missing.pcd: no such file", before);
+  }
+  expectRefused ("sim:room sim:room", "--help");
+  expectRefused ("sim:room --colour red", "--help");
+  expectRefused ("sim:room --show walls", "there is no 'walls'");
+  expectRefused ("sim:room --rate 0", "--rate: '0' must be");
+  expectRefused ("sim:room --rate fast", "--rate is 'fast'");
+  expectRefused ("sim:room --frames 0", "--frames");
+  expectRefused ("sim:room --resolution 1k", "vga, qvga or qqvga");
+  expectRefused ("sim:room --base-transform 1,2", "x,y,z,roll,pitch,yaw");
+  expectRefused ("live:missing.oni", "live:missing.oni: ");
+  expectRefused ("sim:room --screenshot missing/seen.png", "missing/seen.png");
+  std::filesystem::create_directory (folder_ / "taken.png");
+  expectRefused ("sim:room --screenshot taken.png", "no regular file");
+  std::filesystem::remove (folder_ / "taken.png");
+  writeFile (folder_ / "damaged.pcd", "no cloud");
+  expectRefused ("damaged.pcd", "damaged.pcd");
+  expectRefused ("damaged.pcd --screenshot seen.png", "damaged.pcd");
+}
+
+TEST_F (PlaneViewerApp, HelpTellsKeysAndOptions)
+{
+  const Outcome result = run ("--help", no_display_);
+  ASSERT_EQ (result.code, 0) << result.err;
+  EXPECT_EQ (result.err, "");
+  for (const auto& layer : viewer_layers)
+    EXPECT_NE (result.out.find (std::string ("  ") + layer.key + "      show or hide " +
+                                layer.name),
+               std::string::npos);
+  for (const std::string word : {"INPUT",
+                                 "  space  ",
+                                 "  .  ",
+                                 "  d  ",
+                                 "  s  ",
+                                 "  r  ",
+                                 "  h  ",
+                                 "  q  ",
+                                 "--show",
+                                 "--screenshot",
+                                 "--output",
+                                 "--rate",
+                                 "--loop",
+                                 "--base-transform",
+                                 "--intrinsics",
+                                 "--depth-scale",
+                                 "--resolution",
+                                 "--frames",
+                                 "Exit code"})
+    EXPECT_NE (result.out.find (word), std::string::npos) << word;
+}
+
+TEST_F (PlaneViewerApp, ItsWindowTakesKeys)
+{
+  start ("1.png --output saved" + camera_);
+  ASSERT_TRUE (person_.findWindow ("pcl_plane_viewer"));
+  // Nothing is saved before the first frame is there.
+  EXPECT_TRUE (waitFor ([&] {
+    person_.type ("s");
+    return std::filesystem::exists (folder_ / "saved/1_view.png");
+  }));
+  EXPECT_GT (percentOfFirstPlane ("saved/1_view.png"), 30.);
+  person_.type ("q");
+  EXPECT_EQ (exitCode(), "0\n");
+}
+
+TEST_F (PlaneViewerApp, CtrlCEndsIt) { expectEndBySignal (SIGINT); }
+
+TEST_F (PlaneViewerApp, TerminationEndsIt) { expectEndBySignal (SIGTERM); }

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "viewer_window_test.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkRenderWindow.h>
+
+using namespace pcl::rgbd_planes;
+
+namespace {
+
+const pcl::RGB floor_green (40, 110, 50), yellow (255, 255, 60), white (255, 255, 255);
+
+} // namespace
+
+TEST_F (ViewerWindowTest, ShowsWhatTheCameraSees)
+{
+  EXPECT_EQ (percentOf (viewer_scene::camera_colour), 0.);
+  viewer_->show (viewer_scene::makeFrame());
+  EXPECT_TRUE (says ("scene, 640 x 480: 3 planes, 1 objects, "));
+  EXPECT_TRUE (says ("shown: none"));
+  for (const std::string stage :
+       {"normals", "refinement", "objects", "obstacles", "total"})
+    EXPECT_TRUE (says ("\n" + stage + " ")) << stage;
+  EXPECT_GT (percentOf (viewer_scene::camera_colour), 50.);
+}
+
+TEST_F (ViewerWindowTest, KeyPSwitchesPlanes)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('p');
+  EXPECT_TRUE (says ("shown: planes"));
+  EXPECT_EQ (percentOf (viewer_scene::camera_colour), 0.);
+  double planes = 0.;
+  for (std::uint32_t id = 0; id < 3; ++id) {
+    EXPECT_GT (percentOf (planeColour (id)), 0.3) << id;
+    planes += percentOf (planeColour (id));
+  }
+  EXPECT_GT (planes, 50.);
+  press ('P');
+  EXPECT_TRUE (says ("shown: none"));
+  EXPECT_GT (percentOf (viewer_scene::camera_colour), 50.);
+}
+
+TEST_F (ViewerWindowTest, KeyCSwitchesContours)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  const double surface = percentOf (viewer_scene::camera_colour);
+  press ('c');
+  EXPECT_TRUE (says ("shown: contours"));
+  for (std::uint32_t id = 0; id < 3; ++id)
+    EXPECT_GT (percentOf (planeColour (id)), 0.005) << id;
+  EXPECT_LT (percentOf (viewer_scene::camera_colour), surface);
+  press ('c');
+  EXPECT_EQ (percentOf (viewer_scene::camera_colour), surface);
+}
+
+TEST_F (ViewerWindowTest, KeyNSwitchesNormals)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('n');
+  EXPECT_TRUE (says ("shown: normals"));
+  EXPECT_GT (percentOf (white), 0.5);
+  press ('n');
+  EXPECT_EQ (percentOf (white), 0.);
+}
+
+TEST_F (ViewerWindowTest, KeyOSwitchesObjects)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('o');
+  EXPECT_TRUE (says ("shown: objects"));
+  constexpr std::uint32_t planes = 3;
+  EXPECT_GT (percentOf (planeColour (planes)), 0.3)
+      << "the colour after those of planes";
+  EXPECT_GT (percentOf (white) + percentOf ({255, 40, 40}), 0.02) << "the box";
+  press ('o');
+  EXPECT_EQ (percentOf (planeColour (planes)), 0.);
+}
+
+TEST_F (ViewerWindowTest, KeyBSwitchesObstacles)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('b');
+  EXPECT_TRUE (says ("shown: obstacles"));
+  EXPECT_GT (percentOf (floor_green), 5.);
+  EXPECT_LT (percentOf (viewer_scene::camera_colour), 0.5);
+  press ('b');
+  EXPECT_EQ (percentOf (floor_green), 0.);
+}
+
+TEST_F (ViewerWindowTest, KeyVSwitchesTheScan)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('v');
+  EXPECT_TRUE (says ("shown: scan"));
+  EXPECT_GT (percentOf (yellow), 0.05);
+  press ('v');
+  EXPECT_EQ (percentOf (yellow), 0.);
+}
+
+TEST_F (ViewerWindowTest, KeyRLooksFromTheCameraAgain)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  const Picture before = viewer_->window().picture();
+  auto& window = *viewer_->window().interactor().GetRenderWindow();
+  window.GetRenderers()->GetFirstRenderer()->GetActiveCamera()->Azimuth (40.);
+  EXPECT_GT (difference (before, viewer_->window().picture()), 10.);
+  press ('r');
+  EXPECT_EQ (difference (before, viewer_->window().picture()), 0.);
+}
+
+TEST_F (ViewerWindowTest, KeyHShowsHelpAndHidesIt)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  const Picture before = viewer_->window().picture();
+  press ('h');
+  const Picture with_help = viewer_->window().picture();
+  EXPECT_GT (difference (before, with_help, 0.7, 1.), 30.) << "on a dark ground";
+  EXPECT_EQ (difference (before, with_help, 0., 0.2), 0.);
+  press ('h');
+  EXPECT_EQ (difference (before, viewer_->window().picture()), 0.);
+  for (const auto& layer : viewer_layers)
+    EXPECT_NE (viewerKeysHelp().find (std::string ("  ") + layer.key + "   "),
+               std::string::npos)
+        << layer.name;
+}
+
+TEST_F (ViewerWindowTest, PlusAndMinusChangeThePoints)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('d');
+  press ('d');
+  const Picture before = viewer_->window().picture();
+  press ('+');
+  press ('+');
+  EXPECT_GT (difference (before, viewer_->window().picture()), 0.1);
+  press ('-');
+  press ('-');
+  EXPECT_EQ (difference (before, viewer_->window().picture()), 0.);
+}
+
+TEST_F (ViewerWindowTest, KeyQEnds)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  EXPECT_TRUE (viewer_->update());
+  press ('q');
+  EXPECT_FALSE (viewer_->update());
+}
+
+TEST_F (ViewerWindowTest, AClickWithShiftTellsThePlane)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  testing::internal::CaptureStdout();
+  shiftClick (512, 250);
+  const std::string wall = testing::internal::GetCapturedStdout();
+  EXPECT_EQ (wall.rfind ("scene: plane ", 0), 0u) << wall;
+  EXPECT_NE (wall.find (", wall\n"), std::string::npos) << wall;
+  EXPECT_TRUE (says ("\nscene: plane ") && says (", wall"));
+  testing::internal::CaptureStdout();
+  shiftClick (300, 590);
+  const std::string floor = testing::internal::GetCapturedStdout();
+  EXPECT_NE (floor.find (", floor\n"), std::string::npos) << floor;
+  EXPECT_TRUE (says (", floor"));
+}
+
+TEST_F (ViewerWindowTest, TheFirstPointsAreLookedAt)
+{
+  auto dark = viewer_scene::makeFrame();
+  for (auto& point : *dark.cloud)
+    point.x = point.y = point.z = synthetic::nan;
+  viewer_->show (dark);
+  EXPECT_TRUE (says ("0 planes"));
+  viewer_->show (viewer_scene::makeFrame());
+  EXPECT_GT (percentOf (viewer_scene::camera_colour), 50.);
+}
