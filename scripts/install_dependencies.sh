@@ -9,14 +9,10 @@ packages=(
   libx11-dev xvfb xauth # the viewer's window, and a display for its tests and screenshots
   libembree-dev libhwy-dev nlohmann-json3-dev libpng-dev
   libgtest-dev libbenchmark-dev
-<<<<<<< HEAD
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz, test/sanitize.sh
   gcovr llvm-14 valgrind
   clang-format-14 python3 doxygen
-=======
-  clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz
   clang-format-14 python3 doxygen gnuplot-nox
->>>>>>> main
 )
 
 missing=()
