@@ -11,7 +11,6 @@ packages=(
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz, test/sanitize.sh
   gcovr llvm-14 valgrind
-  clang-format-14 python3 doxygen
   clang-format-14 python3 doxygen gnuplot-nox
 )
 
