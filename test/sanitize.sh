@@ -31,7 +31,7 @@ build=$(cd "$build" && pwd)
 find "$build" -name '*.gcda' -delete
 rm -rf "$build/logs"
 mkdir "$build/logs"
-echo 'leak:libomp.so' >"$build/leaks_of_others"
+printf 'leak:libomp.so\nleak:OpenNI2/Drivers\n' >"$build/leaks_of_others"
 export LSAN_OPTIONS=suppressions=$build/leaks_of_others:print_suppressions=0
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 # Where nothing may be written, the counters of coverage and Clang's OpenMP complain as well;
