@@ -248,7 +248,10 @@ private:
   void
   estimateTwoRunNormals ()
   {
-    estimate (two_run_estimation_);
+    // With a large radius, all points are neighbours of all.
+    constexpr std::size_t most_points = 300;
+    if (!cloud_ || cloud_->size() <= most_points)
+      estimate (two_run_estimation_);
   }
 
   template <typename Segmentation>
