@@ -22,8 +22,6 @@ linkRowHere (const PointRow& row,
              std::uint8_t* to_left,
              std::uint8_t* to_above)
 {
-  const hn::Rebind<std::uint8_t, Floats> bytes;
-  const auto one = hn::Set (Ints(), 1);
   for (std::size_t block = 0; block < row.blocks(); ++block) {
     if (blocks && !blocks[block])
       continue;
@@ -31,19 +29,15 @@ linkRowHere (const PointRow& row,
       const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
       const Points p = load (row, i);
       const V squared_range = squaredLength (p);
-      const V sigma = hn::MulAdd (
-          squared_range, set (limit.noise.quadratic), set (limit.noise.constant));
+      const V sigma = sigmaOf (limit.noise, squared_range);
       const V far =
           hn::MulAdd (set (limit.slope),
                       hn::Sqrt (squared_range),
                       hn::MulAdd (set (limit.sigmas), sigma, set (limit.constant)));
       const auto storeLinks = [&] (const Points& q, std::uint8_t* links) {
-        const V squared_distance = squaredLength (
-            {hn::Sub (p.x, q.x), hn::Sub (p.y, q.y), hn::Sub (p.z, q.z)});
-        const auto is_close =
-            hn::RebindMask (Ints(), hn::Le (squared_distance, hn::Mul (far, far)));
-        hn::StoreU (
-            hn::DemoteTo (bytes, hn::IfThenElseZero (is_close, one)), bytes, links + i);
+        const V squared_distance = squaredLength (difference (p, q));
+        const Mask is_close = hn::Le (squared_distance, hn::Mul (far, far));
+        storeBytes (intOf (is_close, 1), links + i);
       };
       storeLinks (load (row, i - 1), to_left);
       storeLinks (load (row_above, i), to_above);

@@ -7,6 +7,9 @@
 
 #include <pcl/segmentation/point_row.h>
 
+#include <Eigen/Core>
+
+#include <cmath>
 #include <cstdint>
 
 namespace pcl {
@@ -21,6 +24,17 @@ struct LinkLimit {
   /** Standard deviations of depth. */
   float sigmas = 0.f;
   DepthNoise noise;
+
+  /** Whether \a q is close to \a p, whose range counts. */
+  bool
+  allows (const float* p, const float* q) const
+  {
+    const Eigen::Map<const Eigen::Vector3f> from (p), to (q);
+    const float squared_range = from.squaredNorm();
+    const float limit = constant + sigmas * noise.sigma (squared_range) +
+                        slope * std::sqrt (squared_range);
+    return (from - to).squaredNorm() <= limit * limit;
+  }
 };
 
 /** Whether each point of a row is close to the one before, and to the one above it.

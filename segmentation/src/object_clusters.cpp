@@ -27,6 +27,12 @@ constexpr double clear_of_points = 0.25;
 constexpr double few_leaks = 3.;
 constexpr double max_leak = 0.1;
 
+LinkLimit
+linkLimit (const ObjectParameters& parameters, float pixel_angle)
+{
+  return {0.f, stretch * pixel_angle, parameters.cluster_tolerance, parameters.noise};
+}
+
 } // namespace
 
 void
@@ -85,8 +91,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
   // What fills up the last block of a row is in the next one, which is placed later.
   place_.resize (points_.size() + PointRow::block_size);
   run_above_.resize (static_cast<std::size_t> (points_.width));
-  const LinkLimit limit{
-      0.f, stretch * pixel_angle_, parameters_.cluster_tolerance, parameters_.noise};
+  const LinkLimit limit = linkLimit (parameters_, pixel_angle_);
   rows_[1].load (points_, 0);
   has_above_.resize (rows_[1].blocks());
   for (auto* links : {&to_left_, &to_above_})
@@ -170,17 +175,6 @@ ObjectClusters::isUnder (std::size_t base, const float* p) const
                       });
 }
 
-bool
-ObjectClusters::areClose (std::uint32_t i, std::uint32_t j) const
-{
-  const Eigen::Map<const Eigen::Vector3f> p (points_[i]), q (points_[j]);
-  const float squared = p.squaredNorm();
-  const float limit =
-      parameters_.cluster_tolerance * parameters_.noise.sigma (squared) +
-      stretch * pixel_angle_ * std::sqrt (squared);
-  return (p - q).squaredNorm() <= limit * limit;
-}
-
 void
 ObjectClusters::sumUp()
 {
@@ -214,7 +208,8 @@ ObjectClusters::leaks (const Run& run, std::uint32_t i) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
   const auto leaksTo = [&] (std::uint32_t j) {
-    return place_[j] == outside && areClose (i, j);
+    return place_[j] == outside &&
+           linkLimit (parameters_, pixel_angle_).allows (points_[i], points_[j]);
   };
   return (i == run.first && i % width > 0 && leaksTo (i - 1)) ||
          (i + 1 == run.first + run.length && (i + 1) % width > 0 && leaksTo (i + 1)) ||

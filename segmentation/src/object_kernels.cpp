@@ -27,8 +27,7 @@ mayBeOnPlane (V height,
               V squared_range,
               const ObjectParameters& parameters)
 {
-  const V sigma = hn::MulAdd (
-      squared_range, set (parameters.noise.quadratic), set (parameters.noise.constant));
+  const V sigma = sigmaOf (parameters.noise, squared_range);
   const V noise = hn::Mul (hn::Mul (set (plane_sigmas), sigma), projection);
   return hn::Or (hn::Le (hn::Abs (height), set (0.5f * parameters.min_object_height)),
                  hn::Le (hn::Mul (hn::Mul (height, height), squared_range),
@@ -88,20 +87,15 @@ struct Surface {
             load (image.normal_z.data() + i)}
   {}
 
-  /** Whether the points that lie \a difference away are above the tangent planes. */
+  /** Whether the points at the end of \a way are above the tangent planes. */
   HWY_INLINE Mask
-  isBelow (const Points& difference, const DepthNoise& noise) const
+  isBelow (const Points& way, const DepthNoise& noise) const
   {
-    const V rise = hn::MulAdd (
-        normals.x,
-        difference.x,
-        hn::MulAdd (normals.y, difference.y, hn::Mul (normals.z, difference.z)));
-    const V sigma = hn::MulAdd (
-        squaredLength (points), set (noise.quadratic), set (noise.constant));
-    return hn::And (
-        hn::Gt (rise, hn::Mul (set (min_rise_sigmas), sigma)),
-        hn::Gt (hn::Mul (rise, rise),
-                hn::Mul (set (min_rise * min_rise), squaredLength (difference))));
+    const V rise = dot (normals, way);
+    const V sigma = sigmaOf (noise, squaredLength (points));
+    return hn::And (hn::Gt (rise, hn::Mul (set (min_rise_sigmas), sigma)),
+                    hn::Gt (hn::Mul (rise, rise),
+                            hn::Mul (set (min_rise * min_rise), squaredLength (way))));
   }
 };
 
@@ -118,10 +112,8 @@ isCut (const ClusterImage& image,
   Mask cut = hn::MaskFromVec (hn::Zero (Floats()));
   for (const std::ptrdiff_t step : steps) {
     const Surface a (image, i - step), b (image, i + step);
-    const Points forth{hn::Sub (b.points.x, a.points.x),
-                       hn::Sub (b.points.y, a.points.y),
-                       hn::Sub (b.points.z, a.points.z)};
-    const Points back{hn::Neg (forth.x), hn::Neg (forth.y), hn::Neg (forth.z)};
+    const Points forth = difference (b.points, a.points);
+    const Points back = difference (a.points, b.points);
     const Mask is_inside = hn::RebindMask (
         Floats(),
         hn::And (hn::Eq (owner (i - step), own), hn::Eq (owner (i + step), own)));
@@ -152,7 +144,6 @@ markCutsHere (const ClusterImage& image,
               const DepthNoise& noise,
               std::vector<std::uint8_t>& cut)
 {
-  const hn::Rebind<std::uint8_t, Floats> bytes;
   constexpr std::size_t block_size = ClusterImage::block_size;
   cut.resize (image.size());
   for (std::size_t block = 0; block + block_size <= image.size(); block += block_size) {
@@ -164,9 +155,7 @@ markCutsHere (const ClusterImage& image,
     findSteps (image, block, pixel_angle, steps);
     for (std::size_t i = block; i < block + block_size; i += hn::Lanes (Floats())) {
       const Mask is_cut = isCut (image, static_cast<std::ptrdiff_t> (i), steps, noise);
-      const auto one =
-          hn::IfThenElseZero (hn::RebindMask (Ints(), is_cut), hn::Set (Ints(), 1));
-      hn::StoreU (hn::DemoteTo (bytes, one), bytes, &cut[i]);
+      storeBytes (intOf (is_cut, 1), &cut[i]);
     }
   }
 }
@@ -178,7 +167,6 @@ placeRowHere (const PointRow& row,
               std::uint8_t* places,
               std::uint8_t* has_above)
 {
-  const hn::Rebind<std::uint8_t, Floats> bytes;
   const auto nowhere = hn::Zero (Ints()), outside = hn::Set (Ints(), 1);
   for (std::size_t block = 0; block < row.blocks(); ++block) {
     bool any_above = false;
@@ -204,7 +192,7 @@ placeRowHere (const PointRow& row,
         is_open = hn::AndNot (hn::Or (is_on, is_above), is_open);
       }
       any_above |= !hn::AllFalse (Ints(), hn::Gt (place, outside));
-      hn::StoreU (hn::DemoteTo (bytes, place), bytes, places + i);
+      storeBytes (place, places + i);
     }
     has_above[block] = any_above;
   }

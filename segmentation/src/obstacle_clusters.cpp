@@ -21,13 +21,10 @@ isAnObstacle (ObstacleClass c)
   return c == ObstacleClass::obstacle || c == ObstacleClass::drop_off;
 }
 
-bool
-areClose (const float* a, const float* b, const DepthNoise& noise)
+LinkLimit
+linkLimit (const DepthNoise& noise)
 {
-  const float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  const float squared_range = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-  const float max_gap = max_gap_m + max_gap_sigmas * noise.sigma (squared_range);
-  return x * x + y * y + z * z <= max_gap * max_gap;
+  return {max_gap_m, 0.f, max_gap_sigmas, noise};
 }
 
 } // namespace
@@ -48,12 +45,8 @@ ObstacleLinks::addRow (int v,
                        const DepthNoise& noise)
 {
   const std::size_t first = static_cast<std::size_t> (v) * width_;
-  linkRow (row,
-           row_above,
-           {max_gap_m, 0.f, max_gap_sigmas, noise},
-           nullptr,
-           &to_left_[first],
-           &to_above_[first]);
+  linkRow (
+      row, row_above, linkLimit (noise), nullptr, &to_left_[first], &to_above_[first]);
 }
 
 void
@@ -67,7 +60,7 @@ ObstacleClusters::compute (const OrganizedPoints& points,
   const auto width = static_cast<std::size_t> (points.width);
   const auto isBridged = [&] (std::size_t above, std::size_t below) {
     return classes[above + width] == ObstacleClass::unmeasured &&
-           areClose (points[below], points[above], noise);
+           linkLimit (noise).allows (points[below], points[above]);
   };
   const auto isLinked = [&] (std::size_t, std::size_t below) {
     return links.toAbove (below);
@@ -107,7 +100,7 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
     runs_.push_back ({first, i - first, none});
     if (first >= row + 2 && classes[first - 2] == classes[first] &&
         classes[first - 1] == ObstacleClass::unmeasured &&
-        areClose (points[first], points[first - 2], noise))
+        linkLimit (noise).allows (points[first], points[first - 2]))
       sets_.join (run - 1, run);
   }
 }

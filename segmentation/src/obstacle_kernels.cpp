@@ -17,12 +17,6 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE hn::Vec<Ints>
-intOf (Mask mask, int value)
-{
-  return hn::IfThenElseZero (hn::RebindMask (Ints(), mask), hn::Set (Ints(), value));
-}
-
 HWY_INLINE void
 add (V value, float* sum)
 {
@@ -37,7 +31,6 @@ classifyRowHere (const PointRow& row,
                  const ObstaclePointParameters& parameters,
                  ObstacleRow& result)
 {
-  const hn::Rebind<std::uint8_t, Floats> bytes;
   const DepthNoise& noise = parameters.noise;
   const V one = set (1.f), largest = set (std::numeric_limits<float>::max());
   const V farthest = set (noise.max_range * noise.max_range);
@@ -46,9 +39,7 @@ classifyRowHere (const PointRow& row,
     const V height =
         hn::Add (dot ({floor[0], floor[1], floor[2], 0.f}, p), set (floor[3]));
     const V squared_range = squaredLength (p);
-    const V sigma = hn::Mul (
-        set (floor[3]),
-        hn::MulAdd (squared_range, set (noise.quadratic), set (noise.constant)));
+    const V sigma = hn::Mul (set (floor[3]), sigmaOf (noise, squared_range));
     const V variance = hn::Div (hn::Mul (sigma, sigma), squared_range);
     const Mask is_measured =
         hn::And (hn::Le (squared_range, farthest), hn::Le (variance, largest));
@@ -69,7 +60,7 @@ classifyRowHere (const PointRow& row,
                  hn::Gt (height, set (0.25f * parameters.min_height)));
     const auto what = hn::Add (hn::Add (intOf (is_measured, 1), intOf (is_obstacle, 1)),
                                intOf (is_drop_off, 2));
-    hn::StoreU (hn::DemoteTo (bytes, what), bytes, &result.what[i]);
+    storeBytes (what, &result.what[i]);
     hn::StoreU (height, Floats(), &result.height[i]);
     hn::StoreU (variance, Floats(), &result.variance[i]);
     add (hn::IfThenElseZero (may_be_floor, height), &result.height_sum[i]);
@@ -127,7 +118,6 @@ scanRowHere (const float* x,
              const ScanLimits& limits,
              ScanColumns& columns)
 {
-  const hn::Rebind<std::uint8_t, Floats> bytes;
   const V nearest = set (limits.range_min * limits.range_min);
   const V farthest = set (limits.range_max * limits.range_max);
   Mask any_stray = hn::MaskFromVec (hn::Zero (Floats()));
@@ -151,7 +141,7 @@ scanRowHere (const float* x,
         hn::IfThenElse (is_closer, square, closest), Floats(), &columns.squares[i]);
     const Mask is_stray = hn::AndNot (is_in_sector, is_in_range);
     any_stray = hn::Or (any_stray, is_stray);
-    hn::StoreU (hn::DemoteTo (bytes, intOf (is_stray, 1)), bytes, &columns.strays[i]);
+    storeBytes (intOf (is_stray, 1), &columns.strays[i]);
   }
   return !hn::AllFalse (Floats(), any_stray);
 }

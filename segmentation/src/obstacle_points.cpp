@@ -145,7 +145,6 @@ ObstaclePoints::window (int cell_u, int cell_v) const
       sum.height += cell.height;
       sum.variance += cell.variance;
       sum.points += cell.points;
-      sum.high += cell.high;
       sum.differ += cell.differ;
     }
   return sum;

@@ -117,8 +117,7 @@ assignPointsHere (const PointBlock& points,
     const V squared_range = squaredLength (p);
     const Mask measured = hn::And (hn::Gt (squared_range, set (min_squared_range)),
                                    hn::Le (squared_range, farthest));
-    const V sigma =
-        hn::MulAdd (squared_range, set (noise.quadratic), set (noise.constant));
+    const V sigma = sigmaOf (noise, squared_range);
     const V range = hn::Sqrt (squared_range);
     Nearest nearest = {p,
                        range,

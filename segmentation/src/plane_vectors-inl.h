@@ -59,9 +59,41 @@ dot (const PlaneEquation& plane, const Points& p)
 }
 
 HWY_INLINE V
+dot (const Points& p, const Points& q)
+{
+  return hn::MulAdd (p.x, q.x, hn::MulAdd (p.y, q.y, hn::Mul (p.z, q.z)));
+}
+
+HWY_INLINE V
 squaredLength (const Points& p)
 {
-  return hn::MulAdd (p.x, p.x, hn::MulAdd (p.y, p.y, hn::Mul (p.z, p.z)));
+  return dot (p, p);
+}
+
+HWY_INLINE Points
+difference (const Points& p, const Points& q)
+{
+  return {hn::Sub (p.x, q.x), hn::Sub (p.y, q.y), hn::Sub (p.z, q.z)};
+}
+
+/** As DepthNoise::sigma(). */
+HWY_INLINE V
+sigmaOf (const DepthNoise& noise, V squared_range)
+{
+  return hn::MulAdd (squared_range, set (noise.quadratic), set (noise.constant));
+}
+
+HWY_INLINE hn::Vec<Ints>
+intOf (Mask mask, int value)
+{
+  return hn::IfThenElseZero (hn::RebindMask (Ints(), mask), hn::Set (Ints(), value));
+}
+
+HWY_INLINE void
+storeBytes (hn::Vec<Ints> values, std::uint8_t* to)
+{
+  const hn::Rebind<std::uint8_t, Floats> bytes;
+  hn::StoreU (hn::DemoteTo (bytes, values), bytes, to);
 }
 
 /** Weighted sums of points, of their coordinates and products. */

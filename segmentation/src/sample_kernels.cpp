@@ -71,8 +71,7 @@ fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
                                              load (&samples.normal_z[i])});
     const Mask measured = hn::Gt (squared_range, hn::Zero (Floats()));
     const V range = hn::Sqrt (squared_range);
-    const V sigma =
-        hn::MulAdd (squared_range, set (noise.quadratic), set (noise.constant));
+    const V sigma = sigmaOf (noise, squared_range);
     const V relative = hn::Div (sigma, range);
     hn::StoreU (hn::IfThenElse (measured, sigma, none), Floats(), &samples.sigma[i]);
     hn::StoreU (hn::IfThenElse (measured, relative, none),

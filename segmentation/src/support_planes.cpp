@@ -74,6 +74,38 @@ sampleInliers (const OrganizedPoints& points,
   }
 }
 
+struct Share {
+  std::size_t part = 0;
+  std::size_t all = 0;
+
+  bool
+  isMost () const
+  {
+    return 2 * part > all;
+  }
+
+  bool
+  isNearlyAll () const
+  {
+    return static_cast<double> (part) >= nearly_all * static_cast<double> (all);
+  }
+};
+
+/** The points of a decisive sample for which is_part (p) is true. */
+template <typename IsPart>
+Share
+shareOf (const OrganizedPoints& points,
+         const pcl::Indices& thing,
+         const IsPart& is_part)
+{
+  Share share;
+  sampleInliers (points, thing, decisive_sample, [&] (const auto& p) {
+    ++share.all;
+    share.part += is_part (p.data());
+  });
+  return share;
+}
+
 } // namespace
 
 void
@@ -121,15 +153,13 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
 {
   background_.clear();
   for (const auto& plane : planes) {
-    std::size_t elsewhere = 0, all = 0;
-    sampleInliers (points, *plane.inliers, decisive_sample, [&] (const auto& p) {
-      ++all;
-      elsewhere += std::all_of (
+    const auto isElsewhere = [&] (const float* p) {
+      return std::all_of (
           supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
-            return levelOf (p.data(), support, parameters) == Level::elsewhere;
+            return levelOf (p, support, parameters) == Level::elsewhere;
           });
-    });
-    if (2 * elsewhere > all)
+    };
+    if (shareOf (points, *plane.inliers, isElsewhere).isMost())
       background_.push_back (plane.plane);
   }
 }
@@ -140,22 +170,16 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
                                     const ObjectParameters& parameters)
 {
   for (std::size_t k = supports_.size(); k-- > 0;) { // the lowest first
-    std::size_t on_lower = 0, all = 0;
-    sampleInliers (points,
-                   *planes[supports_[k].index].inliers,
-                   decisive_sample,
-                   [&] (const auto& p) {
-                     ++all;
-                     on_lower += std::any_of (
-                         supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
-                         supports_.end(),
-                         [&] (const SupportPlane& lower) {
-                           return !lower.is_on_object &&
-                                  levelOf (p.data(), lower, parameters) !=
-                                      Level::elsewhere;
-                         });
-                   });
-    supports_[k].is_on_object = 2 * on_lower > all;
+    const auto isOnLower = [&] (const float* p) {
+      return std::any_of (supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
+                          supports_.end(),
+                          [&] (const SupportPlane& lower) {
+                            return !lower.is_on_object &&
+                                   levelOf (p, lower, parameters) != Level::elsewhere;
+                          });
+    };
+    supports_[k].is_on_object =
+        shareOf (points, *planes[supports_[k].index].inliers, isOnLower).isMost();
   }
 }
 
@@ -236,12 +260,10 @@ liesAbove (const OrganizedPoints& points,
            const SupportPlane& support,
            const ObjectParameters& parameters)
 {
-  std::size_t above = 0, all = 0;
-  sampleInliers (points, thing, decisive_sample, [&] (const auto& p) {
-    ++all;
-    above += levelOf (p.data(), support, parameters) == Level::above;
-  });
-  return static_cast<double> (above) >= nearly_all * static_cast<double> (all);
+  const auto isAbove = [&] (const float* p) {
+    return levelOf (p, support, parameters) == Level::above;
+  };
+  return shareOf (points, thing, isAbove).isNearlyAll();
 }
 
 bool

@@ -86,9 +86,6 @@ private:
   bool
   isUnder (std::size_t base, const float* p) const;
 
-  bool
-  areClose (std::uint32_t i, std::uint32_t j) const;
-
   void
   sumUp ();
 
