@@ -48,16 +48,15 @@ sortByX (std::vector<Vector2f>& points)
   });
 }
 
-/** Drops points inside of the octagon of those furthest out in eight directions: they are
- * no corners (Akl and Toussaint, A Fast Convex Hull Algorithm, 1978). */
-void
-dropInnerPoints (std::vector<Vector2f>& points)
+/** The points furthest out in eight directions, counterclockwise. */
+std::array<Vector2f, 8>
+octagonOf (const std::vector<Vector2f>& points)
 {
   const auto heights = [] (const Vector2f& p) {
     return Eigen::Array4f (p.x(), p.x() + p.y(), p.y(), p.y() - p.x());
   };
   Eigen::Array4f high = heights (points.front()), low = high;
-  std::array<Vector2f, 8> octagon; // counterclockwise
+  std::array<Vector2f, 8> octagon;
   octagon.fill (points.front());
   for (const auto& point : points) {
     const Eigen::Array4f height = heights (point);
@@ -72,6 +71,15 @@ dropInnerPoints (std::vector<Vector2f>& points)
     high = high.max (height);
     low = low.min (height);
   }
+  return octagon;
+}
+
+/** Drops points inside of their octagon: they are no corners (Akl and Toussaint, A Fast
+ * Convex Hull Algorithm, 1978). */
+void
+dropInnerPoints (std::vector<Vector2f>& points)
+{
+  const std::array<Vector2f, 8> octagon = octagonOf (points);
   const auto isInside = [&] (const Vector2f& point) {
     bool has_sides = false;
     for (std::size_t k = 0; k < 8; ++k) {
@@ -116,6 +124,7 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
 {
   corners_.clear();
   bounds_.setEmpty();
+  inner_sides_ = {};
   if (points.empty())
     return;
   convexHull (points, corners_);
@@ -136,6 +145,12 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
   steps_per_unit_ = right > left ? index_steps / (right - left) : 0.f;
   lower_.index (left, steps_per_unit_);
   upper_.index (left, steps_per_unit_);
+  const std::array<Vector2f, 8> octagon = octagonOf (grown_);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Vector2f &a = octagon[k], &b = octagon[(k + 1) % 8];
+    const Vector2f inwards (a.y() - b.y(), b.x() - a.x());
+    inner_sides_[k] = {inwards.x(), inwards.y(), -inwards.dot (a)};
+  }
 }
 
 void

@@ -4,9 +4,7 @@
 #include <pcl/segmentation/object_box.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace pcl {
@@ -15,7 +13,7 @@ namespace rgbd_planes {
 namespace {
 
 /** So many points, or at most twice as many, tell the sides of a box as well as all. */
-constexpr unsigned min_points = 400;
+constexpr unsigned min_points = 200;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
 
@@ -57,23 +55,19 @@ struct Range {
   float high = 0.f;
 };
 
-/** The range of the values but for a few at either end. */
+/** The range of the values but for a few at either end; changes their order. */
 Range
-trimmedRange (const std::vector<float>& values)
+trimmedRange (std::vector<float>& values)
 {
-  constexpr auto max_trimmed =
-      static_cast<std::size_t> (2.f * trimmed_part * float{min_points});
-  std::array<float, max_trimmed + 1> lowest, highest;
   const auto trimmed =
-      static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
-  std::partial_sort_copy (
-      values.begin(), values.end(), lowest.begin(), lowest.begin() + trimmed + 1);
-  std::partial_sort_copy (values.begin(),
-                          values.end(),
-                          highest.begin(),
-                          highest.begin() + trimmed + 1,
-                          std::greater<>());
-  return {lowest[trimmed], highest[trimmed]};
+      static_cast<std::ptrdiff_t> (trimmed_part * static_cast<float> (values.size()));
+  const auto low = values.begin() + trimmed, high = values.end() - 1 - trimmed;
+  std::nth_element (values.begin(), low, values.end());
+  Range range;
+  range.low = *low;
+  std::nth_element (low, high, values.end());
+  range.high = *high;
+  return range;
 }
 
 } // namespace

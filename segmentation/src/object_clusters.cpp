@@ -83,7 +83,7 @@ ObjectClusters::measurePixelAngle()
 void
 ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
 {
-  constexpr std::size_t max_bases = 250;
+  constexpr std::size_t max_bases = surely_above - above;
   bases_.clear();
   for (const SupportPlane& support : *supports_)
     if (!support.is_on_object && bases_.size() < max_bases)
@@ -123,7 +123,10 @@ ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& s
     const std::uint32_t i = first + u;
     if (place_[i] < above)
       continue;
-    place_[i] = settle (points_[i], place_[i] - std::size_t{above});
+    if (place_[i] >= surely_above)
+      place_[i] = static_cast<std::uint8_t> (place_[i] - surely_above);
+    else
+      place_[i] = settle (points_[i], place_[i] - std::size_t{above});
     if (place_[i] < above)
       continue;
     auto run = static_cast<std::uint32_t> (runs_.size());
@@ -141,16 +144,12 @@ ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& s
   }
 }
 
-/** The place of a point that may be above one of the bases, but above none before. Points that
- * are not measured are nowhere or outside, where they are close to none. */
+/** The place of a point that may be above one of the bases, but above none before. */
 ObjectClusters::Place
 ObjectClusters::settle (const float* p, std::size_t base) const
 {
-  if (bases_[base]->outline.contains (bases_[base]->project (p))) {
-    if (!isMeasured (p))
-      return nowhere;
+  if (bases_[base]->outline.contains (bases_[base]->project (p)))
     return isUnder (base, p) ? outside : static_cast<Place> (above + base);
-  }
   while (++base < bases_.size()) {
     const Plane& plane = bases_[base]->plane;
     const float height = plane.distance (p);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -123,18 +124,51 @@ isCut (const ClusterImage& image,
   return cut;
 }
 
-/** Whether points lie over the bounds of an outline. */
+/** Whether points are neither (0, 0, 0) nor NaN or infinite. */
 HWY_INLINE Mask
-isOver (const SupportPlane& support, const Points& p)
+isMeasured (V squared_range)
 {
-  const Eigen::AlignedBox2f& bounds = support.outline.bounds();
-  const auto isBetween = [&] (const Eigen::Vector3f& axis, int side) {
-    const V along = dot ({axis[0], axis[1], axis[2], 0.f}, p);
-    return hn::And (hn::Ge (along, set (bounds.min()[side])),
-                    hn::Le (along, set (bounds.max()[side])));
-  };
-  return hn::And (isBetween (support.axis_x, 0), isBetween (support.axis_y, 1));
+  return hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
+                  hn::Le (squared_range, set (std::numeric_limits<float>::max())));
 }
+
+/** Points in the axes of a supporting plane. */
+struct Projected {
+  V x, y;
+
+  HWY_INLINE
+  Projected (const SupportPlane& support, const Points& p)
+  : x (along (support.axis_x, p))
+  , y (along (support.axis_y, p))
+  {}
+
+  HWY_INLINE static V
+  along (const Eigen::Vector3f& axis, const Points& p)
+  {
+    return dot ({axis[0], axis[1], axis[2], 0.f}, p);
+  }
+
+  HWY_INLINE Mask
+  isIn (const Eigen::AlignedBox2f& bounds) const
+  {
+    const auto isBetween = [&] (V value, int side) {
+      return hn::And (hn::Ge (value, set (bounds.min()[side])),
+                      hn::Le (value, set (bounds.max()[side])));
+    };
+    return hn::And (isBetween (x, 0), isBetween (y, 1));
+  }
+
+  HWY_INLINE Mask
+  isIn (const std::array<ConvexOutline::Side, 8>& sides) const
+  {
+    V closest = set (1.f);
+    for (const auto& side : sides)
+      closest = hn::Min (
+          closest,
+          hn::MulAdd (set (side.a), x, hn::MulAdd (set (side.b), y, set (side.c))));
+    return hn::Gt (closest, hn::Zero (Floats()));
+  }
+};
 
 } // namespace
 
@@ -175,7 +209,8 @@ placeRowHere (const PointRow& row,
       const Points p = load (row, i);
       const V squared_range = squaredLength (p);
       auto place = outside;
-      Mask is_open = hn::Eq (p.x, p.x); // not NaN
+      Mask is_open = isMeasured (squared_range);
+      Mask may_be_under = hn::MaskFromVec (hn::Zero (Floats()));
       for (std::size_t number = 0; number < planes.size(); ++number) {
         const SupportPlane& support = *planes[number];
         const V projection = dot (equationOf (support.plane), p);
@@ -184,12 +219,20 @@ placeRowHere (const PointRow& row,
             is_open, hn::Le (hn::Abs (height), set (parameters.max_object_height)));
         const Mask is_on = hn::And (
             is_near, mayBeOnPlane (height, projection, squared_range, parameters));
-        const Mask is_above = hn::And (hn::And (is_near, isOver (support, p)),
-                                       hn::Gt (height, hn::Zero (Floats())));
-        const auto above = hn::Set (Ints(), static_cast<std::int32_t> (2 + number));
-        place = hn::IfThenElse (hn::RebindMask (Ints(), is_above), above, place);
+        const Projected q (support, p);
+        const Mask is_over = q.isIn (support.outline.bounds());
+        const Mask is_above =
+            hn::And (hn::And (is_near, is_over), hn::Gt (height, hn::Zero (Floats())));
+        if (!hn::AllFalse (Floats(), is_above)) {
+          const Mask is_sure =
+              hn::AndNot (may_be_under, q.isIn (support.outline.innerSides()));
+          const auto above = hn::Add (intOf (is_sure, surely_above),
+                                      hn::Set (Ints(), static_cast<int> (2 + number)));
+          place = hn::IfThenElse (hn::RebindMask (Ints(), is_above), above, place);
+        }
         place = hn::IfThenElse (hn::RebindMask (Ints(), is_on), nowhere, place);
         is_open = hn::AndNot (hn::Or (is_on, is_above), is_open);
+        may_be_under = hn::Or (may_be_under, is_over);
       }
       any_above |= !hn::AllFalse (Ints(), hn::Gt (place, outside));
       storeBytes (place, places + i);

@@ -18,7 +18,7 @@ constexpr std::size_t ransac_points = 300;
 constexpr int ransac_trials = 30;
 /** Points further from a plane, in standard deviations of depth, do not agree with it. */
 constexpr float ransac_sigmas = 1.5f;
-constexpr std::size_t refit_points = 4000;
+constexpr std::size_t refit_points = 1000;
 constexpr float refit_sigmas = 3.f;
 /** Heights of planes are uncertain by so many standard deviations of depth: the floor is
  * within a range that starts at 0. */

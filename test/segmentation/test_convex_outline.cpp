@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using Eigen::Vector2f;
@@ -40,6 +41,16 @@ randomPoints (unsigned seed, int count)
     points.emplace_back (x, 0.4f * y + 0.3f * x);
   }
   return points;
+}
+
+bool
+isInOctagon (const ConvexOutline& outline, const Vector2f& p)
+{
+  return std::all_of (outline.innerSides().begin(),
+                      outline.innerSides().end(),
+                      [&] (const ConvexOutline::Side& side) {
+                        return side.a * p.x() + side.b * p.y() + side.c > 0.f;
+                      });
 }
 
 } // namespace
@@ -85,6 +96,25 @@ TEST (ConvexOutline, ContainsWhatIsWithinTheTolerance)
   }
 }
 
+TEST (ConvexOutline, OctagonInsideHoldsMostAndNothingElse)
+{
+  for (const float tolerance : {0.001f, 0.1f}) {
+    int in_octagon = 0, in_outline = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      auto points = randomPoints (seed, 200);
+      ConvexOutline outline;
+      outline.compute (points, tolerance);
+      for (const auto& p : randomPoints (seed + 100, 500)) {
+        const Vector2f q = 1.5f * p;
+        in_octagon += isInOctagon (outline, q);
+        in_outline += outline.contains (q);
+        EXPECT_LE (isInOctagon (outline, q), outline.contains (q)) << q.transpose();
+      }
+    }
+    EXPECT_GT (in_octagon, 0.8 * in_outline);
+  }
+}
+
 TEST (ConvexOutline, FewPoints)
 {
   ConvexOutline outline;
@@ -92,11 +122,14 @@ TEST (ConvexOutline, FewPoints)
   outline.compute (none, 0.1f);
   EXPECT_TRUE (outline.corners().empty());
   EXPECT_FALSE (outline.contains ({0.f, 0.f}));
+  EXPECT_FALSE (isInOctagon (outline, {0.f, 0.f}));
 
   std::vector<Vector2f> one{{1.f, 2.f}, {1.f, 2.f}};
   outline.compute (one, 0.1f);
   EXPECT_TRUE (outline.contains ({1.05f, 2.f}));
   EXPECT_FALSE (outline.contains ({1.2f, 2.f}));
+  outline.compute (one, 0.f);
+  EXPECT_FALSE (isInOctagon (outline, {3.f, 3.f}));
 
   std::vector<Vector2f> line{{0.f, 0.f}, {1.f, 1.f}, {2.f, 2.f}};
   outline.compute (line, 0.1f);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <vector>
 
 namespace pcl {
@@ -48,6 +49,19 @@ public:
     return bounds_;
   }
 
+  /** \brief A line with a side: (x, y) is inside where a x + b y + c > 0. */
+  struct Side {
+    float a, b, c;
+  };
+
+  /** \brief The sides of an octagon inside: it holds most of what contains() holds, and
+   * nothing else. Without a tolerance, it may hold nothing. */
+  const std::array<Side, 8>&
+  innerSides () const
+  {
+    return inner_sides_;
+  }
+
   /** \brief Whether \a point lies in the hull or at most the tolerance outside; the
    * tolerance may fall short by 2 % at corners. */
   bool
@@ -76,6 +90,7 @@ private:
   Chain lower_, upper_;
   Eigen::AlignedBox2f bounds_;
   float steps_per_unit_ = 0.f;
+  std::array<Side, 8> inner_sides_{};
 };
 
 } // namespace rgbd_planes
