@@ -13,7 +13,7 @@ namespace rgbd_planes {
 namespace {
 
 /** So many points, or at most twice as many, tell the sides of a box as well as all. */
-constexpr unsigned min_points = 200;
+constexpr unsigned min_points = 300;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
 
