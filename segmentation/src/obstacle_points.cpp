@@ -19,7 +19,7 @@ constexpr int cells_in_row = 160;
  * of it are higher than that above the floor. */
 constexpr float sample_sigmas = 1.f;
 /** Of the 9 of a window. */
-constexpr float enough_samples = 5.f;
+constexpr float enough_samples = 6.f;
 
 template <typename T>
 constexpr T
