@@ -20,7 +20,7 @@ constexpr float stretch = 3.f;
 /** A point so many standard deviations above a plane is not there by noise. */
 constexpr float clear_sigmas = 3.f;
 /** Objects have so many clear points, in parts of min_points and of their own points. */
-constexpr double clear_of_min_points = 0.8;
+constexpr double clear_of_min_points = 0.6;
 constexpr double clear_of_points = 0.25;
 /** A cluster that hangs together with the outside in more than a few points, and along more
  * than a part of its width, the square root of its points, is cut off from something larger. */
@@ -100,7 +100,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
     PointRow &row = rows_[v % 2], &row_above = rows_[1 - v % 2];
     row.load (points_, v);
     const auto first = static_cast<std::uint32_t> (v * points_.width);
-    placeRow (row, bases_, parameters_, &place_[first], has_above_.data());
+    placeRow (row, v, bases_, parameters_, &place_[first], has_above_.data());
     linkRow (
         row, row_above, limit, has_above_.data(), to_left_.data(), to_above_.data());
     joinRow (first, selected);
@@ -126,7 +126,7 @@ ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& s
     if (place_[i] >= surely_above)
       place_[i] = static_cast<std::uint8_t> (place_[i] - surely_above);
     else
-      place_[i] = settle (points_[i], place_[i] - std::size_t{above});
+      place_[i] = settle (i, place_[i] - std::size_t{above});
     if (place_[i] < above)
       continue;
     auto run = static_cast<std::uint32_t> (runs_.size());
@@ -146,20 +146,21 @@ ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& s
 
 /** The place of a point that may be above one of the bases, but above none before. */
 ObjectClusters::Place
-ObjectClusters::settle (const float* p, std::size_t base) const
+ObjectClusters::settle (std::uint32_t i, std::size_t base) const
 {
+  const float* p = points_[i];
   if (bases_[base]->outline.contains (bases_[base]->project (p)))
     return isUnder (base, p) ? outside : static_cast<Place> (above + base);
   while (++base < bases_.size()) {
     const Plane& plane = bases_[base]->plane;
-    const float height = plane.distance (p);
+    const float height = heightAbove (*bases_[base], i);
     if (!(std::fabs (height) <= parameters_.max_object_height))
       continue;
     // Outside of the hull it makes no difference.
     if (mayBeOnPlane (p, plane, height, parameters_))
       return nowhere;
     if (height > 0.f)
-      return settle (p, base);
+      return settle (i, base);
   }
   return outside;
 }
@@ -172,6 +173,16 @@ ObjectClusters::isUnder (std::size_t base, const float* p) const
                       [&] (const SupportPlane* higher) {
                         return higher->outline.contains (higher->project (p));
                       });
+}
+
+/** Over the plane as the camera bends it. */
+float
+ObjectClusters::heightAbove (const SupportPlane& support, std::uint32_t i) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  return support.plane.distance (points_[i]) -
+         support.warp.row (
+             static_cast<int> (i / width))[i % width / PointRow::block_size];
 }
 
 void
@@ -190,13 +201,14 @@ ObjectClusters::sumUp()
       run.set = runs_[root].set;
     Sums& sums = sums_[run.set];
     sums.points += run.length;
-    const Plane& plane = (*supports_)[sums.support].plane;
+    const SupportPlane& support = (*supports_)[sums.support];
     for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
       sums.leaks += leaks (run, i);
-      const float height = plane.distance (points_[i]);
+      const float height = heightAbove (support, i);
       sums.clear +=
           height >= parameters_.min_object_height &&
-          !isWithinNoise (points_[i], plane, height, clear_sigmas, parameters_.noise);
+          !isWithinNoise (
+              points_[i], support.plane, height, clear_sigmas, parameters_.noise);
     }
   }
 }

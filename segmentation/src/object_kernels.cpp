@@ -196,6 +196,7 @@ markCutsHere (const ClusterImage& image,
 
 void
 placeRowHere (const PointRow& row,
+              int v,
               const std::vector<const SupportPlane*>& planes,
               const ObjectParameters& parameters,
               std::uint8_t* places,
@@ -214,7 +215,8 @@ placeRowHere (const PointRow& row,
       for (std::size_t number = 0; number < planes.size(); ++number) {
         const SupportPlane& support = *planes[number];
         const V projection = dot (equationOf (support.plane), p);
-        const V height = hn::Add (projection, set (support.plane.d));
+        const V height =
+            hn::Add (projection, set (support.plane.d - support.warp.row (v)[block]));
         const Mask is_near = hn::And (
             is_open, hn::Le (hn::Abs (height), set (parameters.max_object_height)));
         const Mask is_on = hn::And (
@@ -264,13 +266,14 @@ markCuts (const ClusterImage& image,
 
 void
 placeRow (const PointRow& row,
+          int v,
           const std::vector<const SupportPlane*>& planes,
           const ObjectParameters& parameters,
           std::uint8_t* places,
           std::uint8_t* has_above)
 {
   HWY_DYNAMIC_DISPATCH (placeRowHere)
-  (row, planes, parameters, places, has_above);
+  (row, v, planes, parameters, places, has_above);
 }
 
 } // namespace rgbd_planes

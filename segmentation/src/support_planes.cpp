@@ -137,6 +137,7 @@ SupportPlanes::compute (const OrganizedPoints& points,
     support.plane = plane;
     support.height = height;
     outline (points, *planes[k].inliers, parameters, support);
+    support.warp.compute (points, *planes[k].inliers, plane);
   }
   supports_.resize (count);
   std::sort (supports_.begin(), supports_.end(), [] (const auto& a, const auto& b) {

@@ -81,7 +81,10 @@ private:
   joinRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
 
   Place
-  settle (const float* p, std::size_t base) const;
+  settle (std::uint32_t i, std::size_t base) const;
+
+  float
+  heightAbove (const SupportPlane& support, std::uint32_t i) const;
 
   bool
   isUnder (std::size_t base, const float* p) const;

@@ -8,6 +8,7 @@
 #include <pcl/segmentation/convex_outline.h>
 #include <pcl/segmentation/object_parameters.h>
 #include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/plane_warp.h>
 #include <pcl/types.h>
 
 #include <Eigen/Geometry>
@@ -32,6 +33,7 @@ struct SupportPlane {
   Eigen::Vector3f axis_x, axis_y;
   float height = 0.f; /**< of the centre of its points in the base frame */
   ConvexOutline outline;
+  PlaneWarp warp;
   /** It lies on a thing that stands on another plane, like a lid. */
   bool is_on_object = false;
 

@@ -55,7 +55,8 @@ struct SupportedObject {
  * Horizontal planes in a range of heights support objects. Each model is optimised with
  * RANSAC; the hull of its points, and some way around it, is where objects are looked for, up
  * to their largest height. The points above, of other planes or none, are clustered along the
- * image. A point counts as being above only where depth noise does not explain it. What
+ * image. Heights are those above the points of the plane around, for cameras bend planes. A
+ * point counts as being above only where depth noise does not explain it. What
  * continues outside of the hull or higher up is no object (walls, people), nor is what lies
  * under a higher supporting plane (legs of a table), or on a plane most of which is elsewhere
  * (the wall behind a table). A thing on a thing is one object with it,

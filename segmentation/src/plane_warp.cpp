@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/plane_warp.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr std::size_t sample_step = 10;
+/** Blocks of a row for which a window reaches one block further to each side. */
+constexpr std::size_t blocks_per_reach = 16;
+/** The part of the pixels of a window that inliers must fill. */
+constexpr float min_part = 0.125f;
+
+} // namespace
+
+void
+PlaneWarp::compute (const OrganizedPoints& points,
+                    const pcl::Indices& inliers,
+                    const Plane& plane)
+{
+  const auto blocksIn = [] (int pixels) {
+    return static_cast<std::size_t> ((pixels + block_size - 1) / block_size);
+  };
+  columns_ = blocksIn (points.width);
+  rows_ = blocksIn (points.height);
+  sums_.assign (columns_ * rows_, {});
+  for (std::size_t k = 0; k < inliers.size(); k += sample_step) {
+    const float* p = points[static_cast<std::size_t> (inliers[k])];
+    if (!isMeasured (p))
+      continue;
+    const auto u = static_cast<std::size_t> (inliers[k] % points.width / block_size);
+    const auto v = static_cast<std::size_t> (inliers[k] / points.width / block_size);
+    Sum& sum = sums_[v * columns_ + u];
+    sum.heights += plane.distance (p);
+    sum.points += 1.f;
+  }
+  heights_.assign (columns_ * rows_, 0.f);
+  for (std::size_t v = 0; v < rows_; ++v)
+    for (std::size_t u = 0; u < columns_; ++u)
+      if (const Sum sum = window (u, v); sum.points > 0.f)
+        heights_[v * columns_ + u] = sum.heights / sum.points;
+}
+
+/** Sums over the blocks around one; nothing where there are too few inliers. */
+PlaneWarp::Sum
+PlaneWarp::window (std::size_t column, std::size_t row) const
+{
+  const std::size_t reach = columns_ / blocks_per_reach;
+  Sum sum;
+  float blocks = 0.f;
+  for (std::size_t v = row - std::min (row, reach);
+       v <= std::min (row + reach, rows_ - 1);
+       ++v)
+    for (std::size_t u = column - std::min (column, reach);
+         u <= std::min (column + reach, columns_ - 1);
+         ++u) {
+      const Sum& block = sums_[v * columns_ + u];
+      sum.heights += block.heights;
+      sum.points += block.points;
+      ++blocks;
+    }
+  constexpr float samples_in_block = float{block_size * block_size} / sample_step;
+  return sum.points < min_part * blocks * samples_in_block ? Sum{} : sum;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
