@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/app_error.h>
 #include <pcl/apps/plane_methods.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
@@ -9,6 +10,7 @@
 
 #include <chrono>
 #include <memory>
+#include <sstream>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -62,18 +64,61 @@ makeMethod (const std::string& name,
           }};
 }
 
+/** Ours, where parts of it can be left out. */
+class NormalSpaceMethod
+: public pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> {
+public:
+  explicit NormalSpaceMethod (const PlaneAdditions& additions)
+  {
+    parameters_.additions = additions;
+  }
+};
+
 PlaneMethod
-normalSpaceMethod ()
+normalSpaceMethod (const std::string& name, const PlaneAdditions& additions)
 {
   using Estimation =
       pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
-  using Segmentation = pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal>;
-  return makeMethod ("normal_space",
+  return makeMethod (name,
                      std::make_shared<Estimation>(),
-                     std::make_shared<Segmentation>(),
-                     [] (Segmentation& segmentation, Output& output) {
+                     std::make_shared<NormalSpaceMethod> (additions),
+                     [] (NormalSpaceMethod& segmentation, Output& output) {
                        segmentation.segment (output.models, output.inliers);
                      });
+}
+
+struct Addition {
+  std::string name;
+  bool PlaneAdditions::*switched_on;
+};
+
+const Addition all_additions[] = {{"creases", &PlaneAdditions::creases},
+                                  {"noise", &PlaneAdditions::noise},
+                                  {"peaks", &PlaneAdditions::peaks},
+                                  {"parts", &PlaneAdditions::parts},
+                                  {"growth", &PlaneAdditions::growth},
+                                  {"curved", &PlaneAdditions::curved},
+                                  {"second_round", &PlaneAdditions::second_round},
+                                  {"joining", &PlaneAdditions::joining},
+                                  {"assignment", &PlaneAdditions::assignment}};
+
+PlaneAdditions
+additionsWithout (const std::string& list)
+{
+  PlaneAdditions additions;
+  std::istringstream names (list);
+  for (std::string name; std::getline (names, name, ',');) {
+    bool known = false;
+    for (const Addition& addition : all_additions)
+      if (name == "all" || name == addition.name) {
+        additions.*addition.switched_on = false;
+        known = true;
+      }
+    if (!known)
+      throw AppError ("--without: '" + name + "' must be one of " +
+                      planeAdditionNames() + ", or all");
+  }
+  return additions;
 }
 
 PlaneMethod
@@ -107,10 +152,23 @@ organizedMultiPlaneMethod ()
 
 } // namespace
 
-std::vector<PlaneMethod>
-planeMethods ()
+std::string
+planeAdditionNames ()
 {
-  return {normalSpaceMethod(), organizedMultiPlaneMethod()};
+  std::string names;
+  for (const Addition& addition : all_additions)
+    names += (names.empty() ? "" : ", ") + addition.name;
+  return names;
+}
+
+std::vector<PlaneMethod>
+planeMethods (const std::vector<std::string>& without)
+{
+  std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}),
+                                   organizedMultiPlaneMethod()};
+  for (const std::string& list : without)
+    methods.push_back (normalSpaceMethod ("no_" + list, additionsWithout (list)));
+  return methods;
 }
 
 } // namespace rgbd_planes
