@@ -8,9 +8,9 @@
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
-#include <sstream>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -74,13 +74,20 @@ public:
   }
 };
 
+/** What ours adds to the paper, on normals that are edge-aware or not. */
+struct Additions : PlaneAdditions {
+  bool edges = true;
+};
+
 PlaneMethod
-normalSpaceMethod (const std::string& name, const PlaneAdditions& additions)
+normalSpaceMethod (const std::string& name, const Additions& additions)
 {
   using Estimation =
       pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
+  const auto estimation = std::make_shared<Estimation>();
+  estimation->setEdgeAware (additions.edges);
   return makeMethod (name,
-                     std::make_shared<Estimation>(),
+                     estimation,
                      std::make_shared<NormalSpaceMethod> (additions),
                      [] (NormalSpaceMethod& segmentation, Output& output) {
                        segmentation.segment (output.models, output.inliers);
@@ -89,25 +96,28 @@ normalSpaceMethod (const std::string& name, const PlaneAdditions& additions)
 
 struct Addition {
   std::string name;
-  bool PlaneAdditions::*switched_on;
+  bool Additions::*switched_on;
 };
 
-const Addition all_additions[] = {{"creases", &PlaneAdditions::creases},
+const Addition all_additions[] = {{"edges", &Additions::edges},
+                                  {"creases", &PlaneAdditions::creases},
                                   {"noise", &PlaneAdditions::noise},
                                   {"peaks", &PlaneAdditions::peaks},
                                   {"parts", &PlaneAdditions::parts},
                                   {"growth", &PlaneAdditions::growth},
                                   {"curved", &PlaneAdditions::curved},
-                                  {"second_round", &PlaneAdditions::second_round},
+                                  {"repeat", &PlaneAdditions::repeat},
                                   {"joining", &PlaneAdditions::joining},
                                   {"assignment", &PlaneAdditions::assignment}};
 
-PlaneAdditions
+Additions
 additionsWithout (const std::string& list)
 {
-  PlaneAdditions additions;
-  std::istringstream names (list);
-  for (std::string name; std::getline (names, name, ',');) {
+  Additions additions;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min (list.find (',', begin), list.size());
+    const std::string name = list.substr (begin, end - begin);
+    begin = end + 1;
     bool known = false;
     for (const Addition& addition : all_additions)
       if (name == "all" || name == addition.name) {

@@ -22,7 +22,7 @@ constexpr double min_candidate_share = 0.15;
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 4.f / 3.f;
 /** The square of the range whose noise stands for all where it may not grow. */
-constexpr float squared_usual_range = 4.f;
+constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
 constexpr float any_sigmas = 1e9f;
 
@@ -109,7 +109,7 @@ PlaneExtraction::findParts()
   const auto min_cell = static_cast<std::size_t> (
       min_cell_share * static_cast<double> (samples_.width * samples_.height));
   auto start = std::chrono::steady_clock::now();
-  const int rounds = parameters_.additions.second_round ? 2 : 1;
+  const int rounds = parameters_.additions.repeat ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
     normal_clusters_.compute (samples_,
                               parameters_.grid,

@@ -13,7 +13,7 @@ struct PlaneAdditions {
   /** Points with a large curvature, at creases, start no cluster. */
   bool creases = true;
   /** Points may lie the farther from their plane the farther away they are, and
-   * count the less in fits; without, all count as at a range of 2 m. */
+   * count the less in fits; without, all count as at a range of 3 m. */
   bool noise = true;
   /** Distances are split between peaks of their histogram; without,
    * neighbouring bins are merged as neighbouring cells of normals are. */
@@ -27,7 +27,7 @@ struct PlaneAdditions {
   /** Candidates whose normals turn with the place become no planes. */
   bool curved = true;
   /** What no plane took is clustered once more. */
-  bool second_round = true;
+  bool repeat = true;
   /** Candidates on the same plane are joined. */
   bool joining = true;
   /** Each point gets the nearest plane of those around it; without, that of the
