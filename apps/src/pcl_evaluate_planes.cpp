@@ -78,10 +78,8 @@ evaluatePlanes (int argc, char** argv)
       "right-angles",
       po::value<std::string>()->value_name ("all|floor"),
       "the scene is right-angled: how far planes with 2 % of the pixels and more are "
-      "from "
-      "90 degrees, in pairs within 20 degrees of that, or only those with the floor, "
-      "the "
-      "lowest plane of the image");
+      "from 90 degrees, in pairs within 20 degrees of that, or only those with the "
+      "floor, the lowest plane of the image");
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
