@@ -92,8 +92,8 @@ refuseInputFolder (const fs::path& input, const fs::path& output)
   std::error_code error;
   if (fs::is_directory (input, error) && fs::equivalent (input, output, error))
     throw AppError (output.string() +
-                    ": --output is the INPUT folder, whose next run would take the "
-                    "results for frames; choose another folder");
+                    ": is the INPUT folder, whose next run would take the results for "
+                    "frames; choose another folder");
 }
 
 } // namespace rgbd_planes

@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/output_files.h>
 #include <pcl/apps/plane_comparison.h>
 #include <pcl/apps/plane_comparison_table.h>
 
@@ -48,26 +49,60 @@ readRightAngles (const po::variables_map& values)
   throw AppError ("--right-angles: '" + pairs + "' must be all or floor");
 }
 
+/** None of the folders that frames are read from. */
+std::optional<std::filesystem::path>
+readPictureFolder (const EvaluationCommand& command)
+{
+  if (!command.values.count ("pictures"))
+    return std::nullopt;
+  const std::filesystem::path folder = command.values["pictures"].as<std::string>();
+  for (const auto& input : command.inputs)
+    refuseInputFolder (input.input, folder);
+  return folder;
+}
+
 void
 evaluatePlanes (int argc, char** argv)
 {
-  po::options_description own ("Right angles", help_width);
-  own.add_options() ("right-angles",
-                     po::value<std::string>()->value_name ("all|floor"),
-                     "the scene is right-angled: how far planes with 2 % of the pixels "
-                     "and more are from "
-                     "90 degrees, in pairs within 20 degrees of that, or only those "
-                     "with the floor, the "
-                     "lowest plane of the image");
+  po::options_description own ("Planes", help_width);
+  own.add_options() (
+      "without",
+      po::value<std::vector<std::string>>()->value_name ("NAME,..."),
+      ("ours once more, without these additions to the two stages of the paper: " +
+       planeAdditionNames() + ", or all; may be given several times")
+          .c_str()) (
+      "pictures",
+      po::value<std::string>()->value_name ("DIR"),
+      "write there the planes of each frame as FRAME_METHOD_RESOLUTION.png: each in a "
+      "colour of its own, grey where there is none, black without depth") (
+      "right-angles",
+      po::value<std::string>()->value_name ("all|floor"),
+      "the scene is right-angled: how far planes with 2 % of the pixels and more are "
+      "from 90 degrees, in pairs within 20 degrees of that, or only those with the "
+      "floor, the lowest plane of the image");
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
-  PlaneComparison comparison (command->steps, readRightAngles (command->values));
+  const po::variables_map& values = command->values;
+  PlaneComparison comparison (command->steps,
+                              readRightAngles (values),
+                              values.count ("without")
+                                  ? values["without"].as<std::vector<std::string>>()
+                                  : std::vector<std::string>());
+  const auto folder = readPictureFolder (*command);
+  OutputFiles pictures;
+  if (folder)
+    pictures.createFolder (*folder);
   runEvaluation (
       *command,
-      [&] (const Frame& frame) { comparison.add (frame); },
+      [&] (const Frame& frame) {
+        comparison.add (frame);
+        if (folder)
+          comparison.writePictures (frame, *folder, pictures);
+      },
       [&] { return planeComparisonTable (comparison.results()); },
       [&] { return planeComparisonJson (comparison.results()); });
+  pictures.commit();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/pictures.h>
 #include <pcl/apps/plane_comparison.h>
 #include <pcl/apps/plane_truth.h>
 #include <pcl/common/io.h>
@@ -26,11 +27,12 @@ constexpr int runs_per_frame = 3;
 } // namespace
 
 PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
-                                  const std::optional<RightAngles::Pairs>& right_angles)
+                                  const std::optional<RightAngles::Pairs>& right_angles,
+                                  const std::vector<std::string>& without)
 : right_angles_ (right_angles)
 {
   for (const auto step : steps)
-    for (auto& method : planeMethods()) {
+    for (auto& method : planeMethods (without)) {
       results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}});
       runs_.push_back ({step, std::move (method), {}});
     }
@@ -56,6 +58,22 @@ PlaneComparison::add (const Frame& frame)
       fastest = std::min (fastest, run.method.compute (cloud, min_points, run.found));
     results_[i].milliseconds.push_back (fastest);
     score (frame, *cloud, run, results_[i]);
+  }
+}
+
+void
+PlaneComparison::writePictures (const Frame& frame,
+                                const std::filesystem::path& folder,
+                                OutputFiles& files) const
+{
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const auto cloud = subsample (*frame.cloud, runs_[i].step);
+    pcl::PointCloud<pcl::Label> labels (cloud.width, cloud.height);
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      labels[k].label = runs_[i].found.labels[k];
+    files.write (folder / (frame.name + '_' + results_[i].method + '_' +
+                           results_[i].resolution + ".png"),
+                 encodePng (planesPicture (cloud, labels)));
   }
 }
 

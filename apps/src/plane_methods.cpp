@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/app_error.h>
 #include <pcl/apps/plane_methods.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -62,18 +64,71 @@ makeMethod (const std::string& name,
           }};
 }
 
+/** Ours, where parts of it can be left out. */
+class NormalSpaceMethod
+: public pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> {
+public:
+  explicit NormalSpaceMethod (const PlaneAdditions& additions)
+  {
+    parameters_.additions = additions;
+  }
+};
+
+/** What ours adds to the paper, on normals that are edge-aware or not. */
+struct Additions : PlaneAdditions {
+  bool edges = true;
+};
+
 PlaneMethod
-normalSpaceMethod ()
+normalSpaceMethod (const std::string& name, const Additions& additions)
 {
   using Estimation =
       pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
-  using Segmentation = pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal>;
-  return makeMethod ("normal_space",
-                     std::make_shared<Estimation>(),
-                     std::make_shared<Segmentation>(),
-                     [] (Segmentation& segmentation, Output& output) {
+  const auto estimation = std::make_shared<Estimation>();
+  estimation->setEdgeAware (additions.edges);
+  return makeMethod (name,
+                     estimation,
+                     std::make_shared<NormalSpaceMethod> (additions),
+                     [] (NormalSpaceMethod& segmentation, Output& output) {
                        segmentation.segment (output.models, output.inliers);
                      });
+}
+
+struct Addition {
+  std::string name;
+  bool Additions::*switched_on;
+};
+
+const Addition all_additions[] = {{"edges", &Additions::edges},
+                                  {"creases", &PlaneAdditions::creases},
+                                  {"noise", &PlaneAdditions::noise},
+                                  {"peaks", &PlaneAdditions::peaks},
+                                  {"parts", &PlaneAdditions::parts},
+                                  {"growth", &PlaneAdditions::growth},
+                                  {"curved", &PlaneAdditions::curved},
+                                  {"repeat", &PlaneAdditions::repeat},
+                                  {"joining", &PlaneAdditions::joining},
+                                  {"assignment", &PlaneAdditions::assignment}};
+
+Additions
+additionsWithout (const std::string& list)
+{
+  Additions additions;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min (list.find (',', begin), list.size());
+    const std::string name = list.substr (begin, end - begin);
+    begin = end + 1;
+    bool known = false;
+    for (const Addition& addition : all_additions)
+      if (name == "all" || name == addition.name) {
+        additions.*addition.switched_on = false;
+        known = true;
+      }
+    if (!known)
+      throw AppError ("--without: '" + name + "' must be one of " +
+                      planeAdditionNames() + ", or all");
+  }
+  return additions;
 }
 
 PlaneMethod
@@ -107,10 +162,23 @@ organizedMultiPlaneMethod ()
 
 } // namespace
 
-std::vector<PlaneMethod>
-planeMethods ()
+std::string
+planeAdditionNames ()
 {
-  return {normalSpaceMethod(), organizedMultiPlaneMethod()};
+  std::string names;
+  for (const Addition& addition : all_additions)
+    names += (names.empty() ? "" : ", ") + addition.name;
+  return names;
+}
+
+std::vector<PlaneMethod>
+planeMethods (const std::vector<std::string>& without)
+{
+  std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}),
+                                   organizedMultiPlaneMethod()};
+  for (const std::string& list : without)
+    methods.push_back (normalSpaceMethod ("no_" + list, additionsWithout (list)));
+  return methods;
 }
 
 } // namespace rgbd_planes

@@ -20,6 +20,9 @@ constexpr int octaves = 14;
 constexpr int mantissa_bits_left_out = 17;
 constexpr int bins_per_octave = 64;
 constexpr std::size_t bins_per_histogram = octaves * bins_per_octave;
+/** Merged clusters differ by no more bins: as with normals, a cell is half as
+ * wide. */
+constexpr float max_bins_apart = 2.f;
 
 std::size_t
 binOf (float distance)
@@ -39,7 +42,8 @@ binOf (float distance)
 void
 DistanceSpaceClusters::compute (const PlaneSamples& samples,
                                 const NormalSpaceClusters& normal_clusters,
-                                std::size_t min_points)
+                                std::size_t min_points,
+                                bool at_minima)
 {
   const auto& normals = normal_clusters.meanNormals();
   labels_ = normal_clusters.labels();
@@ -74,9 +78,13 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
   cluster_of_bin_.resize (bins_.size());
   normal_clusters_.clear();
   for (std::size_t k = 0; k < normals.size(); ++k)
-    if (histogram_of_[k] != NormalSpaceClusters::none)
-      splitAtMinima (static_cast<std::size_t> (histogram_of_[k]),
-                     static_cast<std::int32_t> (k));
+    if (histogram_of_[k] != NormalSpaceClusters::none) {
+      const auto histogram = static_cast<std::size_t> (histogram_of_[k]);
+      if (at_minima)
+        splitAtMinima (histogram, static_cast<std::int32_t> (k));
+      else
+        mergeNeighbours (histogram, static_cast<std::int32_t> (k));
+    }
   for (const std::uint32_t i : normal_clusters.clustered())
     if (labels_[i] != NormalSpaceClusters::none)
       labels_[i] = cluster_of_bin_[static_cast<std::size_t> (labels_[i])];
@@ -102,6 +110,32 @@ DistanceSpaceClusters::splitAtMinima (std::size_t histogram,
       falling = now < before;
     before = now;
     cluster_of_bin_[i] = static_cast<std::int32_t> (normal_clusters_.size()) - 1;
+  }
+}
+
+void
+DistanceSpaceClusters::mergeNeighbours (std::size_t histogram,
+                                        std::int32_t normal_cluster)
+{
+  const std::size_t begin = histogram * bins_per_histogram;
+  merged_bins_.resize (bins_per_histogram);
+  for (std::size_t i = 0; i < bins_per_histogram; ++i) {
+    const auto points = static_cast<float> (bins_[begin + i]);
+    merged_bins_[i] = {points * static_cast<float> (i), points};
+  }
+  merging_.reset (merged_bins_);
+  for (std::size_t i = 1; i < bins_per_histogram; ++i)
+    if (merged_bins_[i - 1].points > 0.f && merged_bins_[i].points > 0.f)
+      merging_.addNeighbours (i - 1, i);
+  merging_.merge (max_bins_apart, [] (const Bin& a, const Bin& b) {
+    return std::abs (a.sum / a.points - b.sum / b.points);
+  });
+  // Neighbours alone were merged: a cluster ends where the next one begins.
+  for (std::size_t i = 0; i < bins_per_histogram; ++i) {
+    if (bins_[begin + i] > 0 && (i == 0 || merging_.find (i) != merging_.find (i - 1)))
+      normal_clusters_.push_back (normal_cluster);
+    cluster_of_bin_[begin + i] =
+        static_cast<std::int32_t> (normal_clusters_.size()) - 1;
   }
 }
 

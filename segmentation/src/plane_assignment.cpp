@@ -57,6 +57,30 @@ PlaneAssignment::findPlanes (const PlaneSamples& samples,
 }
 
 void
+PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
+{
+  candidates_.clear();
+  first_candidate_.clear();
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const std::size_t sample = i % PlaneSamples::tile_size;
+    if (sample == 0)
+      first_candidate_.push_back (candidates_.size());
+    if (owners[i] < 0)
+      continue;
+    const auto plane = static_cast<std::uint32_t> (owners[i]);
+    auto candidate = std::find_if (
+        candidates_.begin() + static_cast<std::ptrdiff_t> (first_candidate_.back()),
+        candidates_.end(),
+        [plane] (const Candidate& known) { return known.plane == plane; });
+    if (candidate == candidates_.end())
+      candidate = candidates_.insert (candidate, {plane, 0});
+    candidate->compatible =
+        static_cast<std::uint16_t> (candidate->compatible | 1u << sample);
+  }
+  first_candidate_.push_back (candidates_.size());
+}
+
+void
 PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
                                     const std::vector<std::int32_t>& owners)
 {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace pcl {
@@ -20,8 +21,24 @@ constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 4.f / 3.f;
-/** What no plane took is clustered once more. */
-constexpr int rounds = 2;
+/** The square of the range whose noise stands for all where it may not grow. */
+constexpr float squared_usual_range = 9.f;
+/** More standard deviations than any point is from a plane. */
+constexpr float any_sigmas = 1e9f;
+
+/** Settings that leave out what is not to be added. */
+PlaneExtractionParameters
+effectiveParameters (const PlaneExtractionParameters& parameters)
+{
+  PlaneExtractionParameters result = parameters;
+  if (!parameters.additions.creases)
+    result.maximum_curvature = std::numeric_limits<float>::infinity();
+  if (!parameters.additions.noise) {
+    result.noise.constant = parameters.noise.sigma (squared_usual_range);
+    result.noise.quadratic = 0.f;
+  }
+  return result;
+}
 
 double
 secondsSince (std::chrono::steady_clock::time_point& start)
@@ -40,32 +57,46 @@ PlaneExtraction::compute (const OrganizedPoints& points,
                           const std::vector<std::uint8_t>& selected,
                           const PlaneExtractionParameters& parameters)
 {
-  parameters_ = parameters;
+  parameters_ = effectiveParameters (parameters);
   rejections_ = {};
   times_ = {};
   auto start = std::chrono::steady_clock::now();
   samples_.compute (
-      points, normals, selected, parameters.noise, parameters.maximum_curvature);
+      points, normals, selected, parameters_.noise, parameters_.maximum_curvature);
   times_.normal_space = secondsSince (start);
 
   max_sigmas_ =
       static_cast<float> (parameters.distance_threshold) / parameters.noise.sigma (1.f);
   const double min_samples =
-      static_cast<double> (parameters.min_inliers) / (samples_.step * samples_.step);
-  growth_.reset (samples_, min_samples, growth_reach * max_sigmas_);
+      static_cast<double> (parameters_.min_inliers) / (samples_.step * samples_.step);
+  growth_.reset (
+      samples_, min_samples, growth_reach * max_sigmas_, parameters_.additions);
   findParts();
   start = std::chrono::steady_clock::now();
   joinParts();
+  assign (points, selected);
+  finish (static_cast<std::size_t> (points.width));
+  times_.refinement += secondsSince (start);
+}
+
+void
+PlaneExtraction::assign (const OrganizedPoints& points,
+                         const std::vector<std::uint8_t>& selected)
+{
+  if (!parameters_.additions.assignment) {
+    assignment_.keepOwners (owners_);
+    assignment_.assignPixels (
+        points, selected, samples_, planes_, parameters_.noise, any_sigmas);
+    return;
+  }
   assignment_.findPlanes (samples_, owners_, planes_);
   // Samples near a crease may lie nearer to the plane on its other side.
-  assignment_.assignSamples (samples_, planes_, parameters.noise, max_sigmas_);
+  assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
   for (std::size_t k = 0; k < planes_.size(); ++k)
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
   assignment_.assignPixels (
-      points, selected, samples_, planes_, parameters.noise, max_sigmas_);
-  finish (static_cast<std::size_t> (points.width));
-  times_.refinement += secondsSince (start);
+      points, selected, samples_, planes_, parameters_.noise, max_sigmas_);
 }
 
 void
@@ -78,17 +109,20 @@ PlaneExtraction::findParts()
   const auto min_cell = static_cast<std::size_t> (
       min_cell_share * static_cast<double> (samples_.width * samples_.height));
   auto start = std::chrono::steady_clock::now();
+  const int rounds = parameters_.additions.repeat ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
     normal_clusters_.compute (samples_,
                               parameters_.grid,
                               static_cast<float> (parameters_.angular_threshold),
                               min_cell);
     times_.normal_space += secondsSince (start);
-    distance_clusters_.compute (samples_, normal_clusters_, min_candidate);
+    distance_clusters_.compute (
+        samples_, normal_clusters_, min_candidate, parameters_.additions.peaks);
     components_.compute (samples_,
                          normal_clusters_.clustered(),
                          distance_clusters_.labels(),
-                         min_candidate);
+                         min_candidate,
+                         parameters_.additions.parts);
     times_.distance_space += secondsSince (start);
     growParts();
     times_.refinement += secondsSince (start);
@@ -122,7 +156,7 @@ PlaneExtraction::growParts()
 void
 PlaneExtraction::joinParts()
 {
-  joining_.compute (growth_.moments());
+  joining_.compute (growth_.moments(), parameters_.additions.joining);
   planes_.clear();
   for (const PlaneMoments& moments : joining_.planes())
     planes_.push_back (planeOf (moments.inverseDistance()));

@@ -35,8 +35,12 @@ constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 6.,
 } // namespace
 
 void
-PlaneGrowth::reset (const PlaneSamples& samples, double min_points, float max_sigmas)
+PlaneGrowth::reset (const PlaneSamples& samples,
+                    double min_points,
+                    float max_sigmas,
+                    const PlaneAdditions& additions)
 {
+  additions_ = additions;
   min_points_ = min_points;
   max_sigmas_ = max_sigmas;
   moments_.clear();
@@ -114,10 +118,30 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
 
 /** Leaves the plane, its claims, and their sums. */
 bool
+PlaneGrowth::claimSeed (const PlaneSamples& samples, const Plane& plane)
+{
+  plane_ = plane;
+  tiles_ = seed_tiles_;
+  std::size_t number = 0;
+  for (const std::uint32_t tile : tiles_) {
+    const float* claims = &claimed_[tile * PlaneSamples::tile_size];
+    const auto taken = std::count_if (
+        claims, claims + PlaneSamples::tile_size, [] (float w) { return w > 0.f; });
+    counts_[tile] = static_cast<std::uint8_t> (taken);
+    number += static_cast<std::size_t> (taken);
+  }
+  sums_ = sumOver (samples, tiles_, number);
+  return true;
+}
+
+/** Leaves the plane, its claims, and their sums. */
+bool
 PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
                                Plane plane,
                                float max_sigmas)
 {
+  if (!additions_.growth)
+    return claimSeed (samples, plane);
   const double min_claim = std::max (3., min_claim_share * min_points_);
   double before = 0.;
   for (int i = 0;; ++i) {
@@ -196,6 +220,8 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
 bool
 PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
 {
+  if (!additions_.curved)
+    return false;
   double sums[22];
   sumNormals (samples,
               tiles_,

@@ -43,7 +43,7 @@ mismatch (const PlaneMoments& larger, const PlaneMoments& smaller)
 } // namespace
 
 void
-PlaneJoining::compute (const std::vector<PlaneMoments>& parts)
+PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join)
 {
   order_.resize (parts.size());
   std::iota (order_.begin(), order_.end(), std::size_t{0});
@@ -56,7 +56,7 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts)
   for (const std::size_t part : order_) {
     double least = 1.;
     std::size_t best = planes_.size();
-    for (std::size_t k = 0; k < planes_.size(); ++k) {
+    for (std::size_t k = 0; join && k < planes_.size(); ++k) {
       const double now = mismatch (planes_[k], parts[part]);
       if (now <= least) {
         least = now;

@@ -8,14 +8,17 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+constexpr std::uint32_t nowhere = 0xffffffff;
+
+} // namespace
+
 void
-SampleComponents::join (const PlaneSamples& samples,
-                        const std::vector<std::uint32_t>& clustered,
-                        const std::vector<std::int32_t>& clusters)
+SampleComponents::joinNeighbours (const PlaneSamples& samples,
+                                  const std::vector<std::uint32_t>& clustered,
+                                  const std::vector<std::int32_t>& clusters)
 {
-  sets_.resize (samples.size());
-  for (const std::uint32_t i : clustered)
-    sets_.add (i);
   for (const std::uint32_t i : clustered) {
     if (clusters[i] < 0)
       continue;
@@ -36,20 +39,39 @@ SampleComponents::join (const PlaneSamples& samples,
 }
 
 void
+SampleComponents::joinClusters (const std::vector<std::uint32_t>& clustered,
+                                const std::vector<std::int32_t>& clusters)
+{
+  places_.assign (places_.size(), nowhere);
+  for (const std::uint32_t i : clustered)
+    if (clusters[i] >= 0) {
+      std::uint32_t& first = places_[static_cast<std::size_t> (clusters[i])];
+      first = std::min (first, i);
+      sets_.join (first, i);
+    }
+}
+
+void
 SampleComponents::compute (const PlaneSamples& samples,
                            const std::vector<std::uint32_t>& clustered,
                            const std::vector<std::int32_t>& clusters,
-                           std::size_t min_points)
+                           std::size_t min_points,
+                           bool connected)
 {
-  join (samples, clustered, clusters);
+  sets_.resize (samples.size());
   places_.resize (samples.size());
+  for (const std::uint32_t i : clustered)
+    sets_.add (i);
+  if (connected)
+    joinNeighbours (samples, clustered, clusters);
+  else
+    joinClusters (clustered, clusters);
   for (const std::uint32_t i : clustered)
     places_[i] = 0;
   for (const std::uint32_t i : clustered)
     if (clusters[i] >= 0)
       ++places_[sets_.root (i)];
 
-  constexpr std::uint32_t nowhere = 0xffffffff;
   members_.resize (samples.size());
   components_.clear();
   std::uint32_t end = 0;

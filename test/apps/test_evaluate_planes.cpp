@@ -174,6 +174,49 @@ TEST_F (EvaluateCorner, LabelledObjects)
   EXPECT_NE (table_.find ("table IoU"), std::string::npos);
 }
 
+TEST_F (EvaluatePlanes, WithoutAdditions)
+{
+  // A wall behind a column: joining makes its two parts one plane.
+  auto wall = synthetic::tiltedPlane (2.f, 0.f, 0.f);
+  wall.covers = [] (int u, int) { return u < 250 || u >= 350; };
+  pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *synthetic::render ({wall}).cloud);
+  ASSERT_EQ (run ("wall.pcd --resolution vga --json table.json --without joining "
+                  "--without curved,repeat --without all")
+                 .code,
+             0);
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 5u);
+  EXPECT_EQ (rows[0]["planes_found"], 1);
+  EXPECT_EQ (rows[2]["method"], "no_joining");
+  EXPECT_EQ (rows[2]["planes_found"], 2);
+  EXPECT_EQ (rows[3]["method"], "no_curved,repeat");
+  EXPECT_EQ (rows[3]["planes_found"], 1);
+  EXPECT_EQ (rows[4]["method"], "no_all");
+  EXPECT_EQ (rows[4]["planes_found"], 1) << "a cluster, however many its parts";
+}
+
+TEST_F (EvaluateCorner, Pictures)
+{
+  auto cloud = cornerAs<pcl::PointXYZ>();
+  cloud (0, 0).x = cloud (0, 0).y = cloud (0, 0).z = synthetic::nan;
+  evaluate (cloud, "--pictures pictures");
+  EXPECT_EQ (listFolder (folder_ / "pictures"),
+             (std::vector<std::string>{"corner_normal_space_qvga.png",
+                                       "corner_pcl_omps_qvga.png"}));
+  const RgbImage picture =
+      readRgbPng (folder_ / "pictures" / "corner_normal_space_qvga.png");
+  ASSERT_EQ (picture.width, 320u);
+  ASSERT_EQ (picture.height, 240u);
+  const auto colour = [&] (std::size_t u, std::size_t v) {
+    const std::uint8_t* rgb = &picture.samples[3 * (v * 320 + u)];
+    return std::vector<std::uint8_t> (rgb, rgb + 3);
+  };
+  EXPECT_EQ (colour (0, 0), (std::vector<std::uint8_t>{0, 0, 0}));
+  EXPECT_EQ (colour (50, 50), colour (50, 200));
+  EXPECT_EQ (colour (270, 50), colour (270, 200));
+  EXPECT_NE (colour (50, 50), colour (270, 50));
+}
+
 TEST_F (EvaluatePlanes, BadUsage)
 {
   expectRefused ("", "INPUT");
@@ -181,4 +224,9 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("sim:table_single --resolution tiny", "tiny");
   expectRefused ("sim:table_single --right-angles most", "most");
   expectRefused ("sim:table_single --json no/where.json", "no");
+  expectRefused ("sim:table_single --without growth,roots", "roots");
+  expectRefused ("sim:table_single --without ''", "''");
+  std::filesystem::create_directory (folder_ / "in");
+  writeFile (folder_ / "in/frame.pcd", "");
+  expectRefused ("in --pictures in", "is the INPUT folder");
 }

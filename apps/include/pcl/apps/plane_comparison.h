@@ -6,11 +6,13 @@
 #include <pcl/apps/curved_points.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/object_label_evaluation.h>
+#include <pcl/apps/output_files.h>
 #include <pcl/apps/plane_evaluation.h>
 #include <pcl/apps/plane_methods.h>
 #include <pcl/apps/right_angles.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,13 +39,22 @@ class PlaneComparison {
 public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
    * \param[in] right_angles which pairs of planes of the scenes are at right angles, if any
+   * \param[in] without as planeMethods() takes it
    */
   PlaneComparison (const std::vector<std::uint32_t>& steps,
-                   const std::optional<RightAngles::Pairs>& right_angles);
+                   const std::optional<RightAngles::Pairs>& right_angles,
+                   const std::vector<std::string>& without);
 
   /** \brief Adds a frame of full resolution. AppError where it is too small. */
   void
   add (const Frame& frame);
+
+  /** \brief Writes the planes that each method found in \a frame, the last one that was
+   * added, to FRAME_METHOD_RESOLUTION.png in \a folder. */
+  void
+  writePictures (const Frame& frame,
+                 const std::filesystem::path& folder,
+                 OutputFiles& files) const;
 
   const std::vector<PlaneResult>&
   results () const

@@ -27,11 +27,19 @@ struct PlaneMethod {
       compute;
 };
 
+/** \brief What planeMethods() can leave out: "creases, noise, ..." */
+std::string
+planeAdditionNames ();
+
 /** \brief Ours, "normal_space", and PCL's OrganizedMultiPlaneSegmentation on
  * AVERAGE_3D_GRADIENT normals with a smoothing size of 10, "pcl_omps"; other settings as
- * the classes have them. */
+ * the classes have them.
+ * \param[in] without lists of PlaneAdditions, "NAME,..." or "all": for each, ours once
+ * more without these, "no_" and the list
+ * Throws AppError where a name is none of them.
+ */
 std::vector<PlaneMethod>
-planeMethods ();
+planeMethods (const std::vector<std::string>& without);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/cluster_merging.h>
 #include <pcl/segmentation/normal_space_clusters.h>
 #include <pcl/segmentation/plane_samples.h>
 
@@ -27,11 +28,14 @@ namespace rgbd_planes {
 class PCL_RGBD_PLANES_EXPORTS DistanceSpaceClusters {
 public:
   /** \brief Splits the clusters; the distances of clusters with fewer than \a min_points
-   * points are not looked at. */
+   * points are not looked at.
+   * \param[in] at_minima false merges neighbouring bins instead, as the paper does
+   */
   void
   compute (const PlaneSamples& samples,
            const NormalSpaceClusters& normal_clusters,
-           std::size_t min_points);
+           std::size_t min_points,
+           bool at_minima);
 
   /** \brief The cluster of each point, or NormalSpaceClusters::none. */
   const std::vector<std::int32_t>&
@@ -48,8 +52,24 @@ public:
   }
 
 private:
+  /** Points, and the sum of their distances as numbers of bins. */
+  struct Bin {
+    float sum = 0.f, points = 0.f;
+
+    Bin&
+    operator+= (const Bin& other)
+    {
+      sum += other.sum;
+      points += other.points;
+      return *this;
+    }
+  };
+
   void
   splitAtMinima (std::size_t histogram, std::int32_t normal_cluster);
+
+  void
+  mergeNeighbours (std::size_t histogram, std::int32_t normal_cluster);
 
   /** Which histogram a normal cluster has, or none, and its number of points. */
   std::vector<std::int32_t> histogram_of_;
@@ -61,6 +81,8 @@ private:
   /** Bin of each point, then its cluster. */
   std::vector<std::int32_t> labels_;
   std::vector<std::int32_t> normal_clusters_;
+  std::vector<Bin> merged_bins_;
+  ClusterMerging<Bin> merging_;
 };
 
 } // namespace rgbd_planes

@@ -300,6 +300,8 @@ protected:
     return "NormalSpacePlaneSegmentation";
   }
 
+  rgbd_planes::PlaneExtractionParameters parameters_;
+
 private:
   bool
   checkInput () const;
@@ -325,7 +327,6 @@ private:
                typename pcl::PointCloud<PointT>::VectorType& contour) const;
 
   PointCloudNConstPtr normals_;
-  rgbd_planes::PlaneExtractionParameters parameters_;
   bool project_points_ = false;
   rgbd_planes::PlaneExtraction plane_extraction_;
 

@@ -44,6 +44,12 @@ public:
               const std::vector<std::int32_t>& owners,
               const std::vector<Plane>& planes);
 
+  /** \brief Leaves each sample, and the pixels of its cell, to its owner.
+   * \param[in] owners the plane of each sample, negative for none
+   */
+  void
+  keepOwners (const std::vector<std::int32_t>& owners);
+
   /** \brief Assigns samples to \a planes: those that were found, which may have been
    * fitted anew. */
   void

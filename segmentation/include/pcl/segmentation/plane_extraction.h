@@ -9,6 +9,7 @@
 #include <pcl/segmentation/distance_space_clusters.h>
 #include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/normal_space_clusters.h>
+#include <pcl/segmentation/plane_additions.h>
 #include <pcl/segmentation/plane_assignment.h>
 #include <pcl/segmentation/plane_growth.h>
 #include <pcl/segmentation/plane_joining.h>
@@ -38,6 +39,7 @@ struct PlaneExtractionParameters {
   float maximum_curvature = 0.03f;
   NormalSpaceGrid grid = NormalSpaceGrid::voxels;
   DepthNoise noise;
+  PlaneAdditions additions;
 };
 
 /** \brief Why candidates did not become planes: how many in the last frame. */
@@ -135,6 +137,9 @@ private:
 
   void
   joinParts ();
+
+  void
+  assign (const OrganizedPoints& points, const std::vector<std::uint8_t>& selected);
 
   void
   finish (std::size_t width);

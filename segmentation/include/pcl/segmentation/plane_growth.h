@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/plane_additions.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 #include <pcl/segmentation/sample_components.h>
@@ -34,9 +35,14 @@ public:
   /** \brief Starts with all samples free.
    * \param[in] min_points a plane has at least as many samples
    * \param[in] max_sigmas how far from it, in standard deviations of depth
+   * \param[in] additions whether planes grow, and those on curved surfaces are
+   * refused
    */
   void
-  reset (const PlaneSamples& samples, double min_points, float max_sigmas);
+  reset (const PlaneSamples& samples,
+         double min_points,
+         float max_sigmas,
+         const PlaneAdditions& additions);
 
   /** \brief Grows a plane from \a seed, whose normals have the mean \a mean_normal. Its
    * points are no longer free. */
@@ -64,6 +70,9 @@ private:
   fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
 
   bool
+  claimSeed (const PlaneSamples& samples, const Plane& plane);
+
+  bool
   claimUntilStable (const PlaneSamples& samples, Plane plane, float max_sigmas);
 
   void
@@ -82,6 +91,7 @@ private:
 
   double min_points_ = 0.;
   float max_sigmas_ = 0.f;
+  PlaneAdditions additions_;
   /** Tiles with free samples, and their numbers. */
   std::vector<std::uint32_t> active_;
   std::vector<std::uint8_t> free_;

@@ -22,9 +22,9 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneJoining {
 public:
-  /** \brief Joins \a parts. */
+  /** \brief Joins \a parts, or leaves each a plane of its own. */
   void
-  compute (const std::vector<PlaneMoments>& parts);
+  compute (const std::vector<PlaneMoments>& parts, bool join = true);
 
   /** \brief The planes. */
   const std::vector<PlaneMoments>&

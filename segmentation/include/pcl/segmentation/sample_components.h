@@ -34,12 +34,14 @@ public:
    * along a side or a corner.
    * \param[in] clustered the samples that may have a cluster
    * \param[in] clusters the cluster of each sample, negative for none
+   * \param[in] connected false takes each cluster for one component
    */
   void
   compute (const PlaneSamples& samples,
            const std::vector<std::uint32_t>& clustered,
            const std::vector<std::int32_t>& clusters,
-           std::size_t min_points);
+           std::size_t min_points,
+           bool connected);
 
   const std::vector<Component>&
   components () const
@@ -49,9 +51,13 @@ public:
 
 private:
   void
-  join (const PlaneSamples& samples,
-        const std::vector<std::uint32_t>& clustered,
-        const std::vector<std::int32_t>& clusters);
+  joinNeighbours (const PlaneSamples& samples,
+                  const std::vector<std::uint32_t>& clustered,
+                  const std::vector<std::int32_t>& clusters);
+
+  void
+  joinClusters (const std::vector<std::uint32_t>& clustered,
+                const std::vector<std::int32_t>& clusters);
 
   DisjointSets sets_;
   /** The number of samples of a component at its first one, then where they are. */

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief What PlaneExtraction does beyond the two stages of the paper (Holz et
+ * al. 2011, section 4). Evaluations leave parts of it out to tell what each is
+ * good for. */
+struct PlaneAdditions {
+  /** Points with a large curvature, at creases, start no cluster. */
+  bool creases = true;
+  /** Points may lie the farther from their plane the farther away they are, and
+   * count the less in fits; without, all count as at a range of 3 m. */
+  bool noise = true;
+  /** Distances are split between peaks of their histogram; without,
+   * neighbouring bins are merged as neighbouring cells of normals are. */
+  bool peaks = true;
+  /** Parts of clusters that hang together in the image are candidates; without,
+   * whole clusters. */
+  bool parts = true;
+  /** Candidates grow to all free points on their plane; without, they keep
+   * their own. */
+  bool growth = true;
+  /** Candidates whose normals turn with the place become no planes. */
+  bool curved = true;
+  /** What no plane took is clustered once more. */
+  bool repeat = true;
+  /** Candidates on the same plane are joined. */
+  bool joining = true;
+  /** Each point gets the nearest plane of those around it; without, that of the
+   * sample in its cell. */
+  bool assignment = true;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

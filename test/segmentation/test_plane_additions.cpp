@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_clouds.h"
+
+#include <pcl/features/impl/organized_cloud_view.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+// Scenes on which it is known what comes of leaving out one addition.
+
+using namespace plane_clouds;
+using pcl::rgbd_planes::PlaneAdditions;
+using pcl::rgbd_planes::PlaneExtraction;
+using pcl::rgbd_planes::unlabelled;
+
+namespace {
+
+PlaneExtraction
+extract (const Cloud& cloud, const Normals& normals, const PlaneAdditions& additions)
+{
+  pcl::rgbd_planes::PlaneExtractionParameters parameters;
+  parameters.additions = additions;
+  PlaneExtraction extraction;
+  extraction.compute (pcl::rgbd_planes::viewPoints (cloud),
+                      {&normals[0].normal_x,
+                       &normals[0].curvature,
+                       sizeof (pcl::Normal) / sizeof (float)},
+                      {},
+                      parameters);
+  return extraction;
+}
+
+PlaneExtraction
+extract (const std::vector<Surface>& surfaces, const PlaneAdditions& additions)
+{
+  const Scene scene = render (surfaces);
+  return extract (*scene.cloud, *trueNormals (scene, surfaces), additions);
+}
+
+/** The surface through (0, 0, depth) that faces the camera, from column u0 to u1. */
+Surface
+strip (float depth, int u0, int u1)
+{
+  return {{0.f, 0.f, -1.f}, depth, [=] (int u, int) { return u >= u0 && u < u1; }};
+}
+
+/** The labels in columns u0 to u1. */
+std::set<std::uint32_t>
+labelsIn (const PlaneExtraction& extraction, int u0, int u1)
+{
+  std::set<std::uint32_t> labels;
+  for (std::size_t i = 0; i < extraction.labels().size(); ++i)
+    if (i % 640 >= static_cast<std::size_t> (u0) &&
+        i % 640 < static_cast<std::size_t> (u1))
+      labels.insert (extraction.labels()[i]);
+  return labels;
+}
+
+using Labels = std::set<std::uint32_t>;
+
+} // namespace
+
+TEST (PlaneAdditions, PointsAtCreasesStartNoCluster)
+{
+  const std::vector<Surface> wall{tiltedPlane (1.f, 0.f, 0.f)};
+  const Scene scene = render (wall);
+  const auto normals = trueNormals (scene, wall);
+  // Wrong by 45 degrees, as the curvature tells.
+  for (int v = 0; v < 480; ++v)
+    for (int u = 200; u < 300; ++u) {
+      (*normals) (u, v).getNormalVector3fMap() =
+          Eigen::Vector3f (std::sqrt (0.5f), 0.f, -std::sqrt (0.5f));
+      (*normals) (u, v).curvature = 0.1f;
+    }
+  PlaneAdditions additions;
+  EXPECT_EQ (labelsIn (extract (*scene.cloud, *normals, additions), 0, 640), Labels{0});
+  additions.creases = false;
+  EXPECT_EQ (labelsIn (extract (*scene.cloud, *normals, additions), 220, 280).count (0),
+             0u);
+}
+
+TEST (PlaneAdditions, NoiseGrowsWithRange)
+{
+  const std::vector<Surface> wall{tiltedPlane (5.f, 0.f, 0.f)};
+  const Scene scene = render (wall, 640, 480, kinectSigma);
+  const auto normals = trueNormals (scene, wall);
+  const auto share = [&] (const PlaneAdditions& additions) {
+    const PlaneExtraction extraction = extract (*scene.cloud, *normals, additions);
+    return static_cast<double> (extraction.moments()[0].points) / (640. * 480.);
+  };
+  PlaneAdditions additions;
+  EXPECT_GE (share (additions), 0.98);
+  additions.noise = false;
+  // Three standard deviations are 57 mm then, of points that spread by 51 mm.
+  EXPECT_NEAR (share (additions), std::erf (57. / 51. / std::sqrt (2.)), 0.1);
+}
+
+TEST (PlaneAdditions, PeaksHoldThePlaneOfASlightlyWrongNormal)
+{
+  // Its distances along a normal 6 degrees off spread over more than merged bins.
+  const std::vector<Surface> surfaces{
+      {{0.f, 0.f, -1.f}, 1.2f, [] (int u, int v) {
+         return std::abs (u - 320) + std::abs (v - 240) < 200;
+       }}};
+  const Scene scene = render (surfaces);
+  const auto normals = trueNormals (scene, {{tiltedPlane (1.f, 0.f, 6.f).normal, 0.f}});
+  PlaneAdditions additions;
+  additions.parts = additions.growth = additions.repeat = additions.joining = false;
+  EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 1u);
+  additions.peaks = false;
+  EXPECT_GE (extract (*scene.cloud, *normals, additions).planes().size(), 2u);
+}
+
+TEST (PlaneAdditions, PartsTellPlanesOfNearlyTheSameDistanceApart)
+{
+  const std::vector<Surface> boards{strip (1.f, 40, 240), strip (1.014f, 400, 600)};
+  PlaneAdditions additions;
+  const PlaneExtraction apart = extract (boards, additions);
+  ASSERT_EQ (apart.planes().size(), 2u);
+  for (const auto& plane : apart.planes())
+    EXPECT_LE (synthetic::angleDegrees (plane.normal, {0.f, 0.f, -1.f}), 0.01f);
+  additions.parts = false;
+  const PlaneExtraction through_both = extract (boards, additions);
+  ASSERT_EQ (through_both.planes().size(), 1u);
+  EXPECT_GE (
+      synthetic::angleDegrees (through_both.planes()[0].normal, {0.f, 0.f, -1.f}),
+      0.5f);
+}
+
+TEST (PlaneAdditions, GrowthTakesPointsWithoutANormal)
+{
+  const std::vector<Surface> wall{tiltedPlane (1.f, 0.f, 0.f)};
+  const Scene scene = render (wall);
+  const auto normals = trueNormals (scene, wall);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 200; u < 300; ++u)
+      (*normals) (u, v).getNormalVector3fMap().setConstant (synthetic::nan);
+  PlaneAdditions additions;
+  additions.assignment = false;
+  EXPECT_EQ (labelsIn (extract (*scene.cloud, *normals, additions), 200, 300),
+             Labels{0});
+  additions.growth = false;
+  EXPECT_EQ (labelsIn (extract (*scene.cloud, *normals, additions), 200, 300),
+             Labels{unlabelled});
+}
+
+TEST (PlaneAdditions, CurvedCandidatesAreRefused)
+{
+  // A cylinder of 0.1 m around the vertical line 1.1 m away.
+  constexpr float radius = 0.1f, axis = 1.1f;
+  Cloud cloud (640, 480);
+  Normals normals (640, 480);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u) {
+      const float x = (u - 319.5f) / 525.f, y = (v - 239.5f) / 525.f;
+      const float root = axis * axis - (1.f + x * x) * (axis * axis - radius * radius);
+      const float z = (axis - std::sqrt (root)) / (1.f + x * x);
+      cloud (u, v) = {x * z, y * z, z};
+      normals (u, v).getNormalVector3fMap() =
+          Eigen::Vector3f (x * z, 0.f, z - axis) / radius;
+    }
+  const auto labelled = [&] (const PlaneExtraction& extraction) {
+    std::size_t seen = 0, on_planes = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      seen += std::isfinite (cloud[i].z);
+      on_planes += extraction.labels()[i] != unlabelled;
+    }
+    return static_cast<double> (on_planes) / static_cast<double> (seen);
+  };
+  PlaneAdditions additions;
+  const PlaneExtraction with = extract (cloud, normals, additions);
+  EXPECT_GE (with.rejections().curved, 1u);
+  EXPECT_LE (labelled (with), 0.2);
+  additions.curved = false;
+  const PlaneExtraction without = extract (cloud, normals, additions);
+  EXPECT_EQ (without.rejections().curved, 0u);
+  EXPECT_GE (labelled (without), 0.8);
+}
+
+TEST (PlaneAdditions, RepeatFindsWhatWasInTheClusterOfAnother)
+{
+  // Bins are 16 mm wide, and there is no minimum between distances 31 mm apart.
+  const std::vector<Surface> steps{
+      strip (1.008f, 0, 260), strip (1.039f, 260, 380), strip (1.008f, 380, 640)};
+  PlaneAdditions additions;
+  EXPECT_EQ (extract (steps, additions).planes().size(), 2u);
+  additions.repeat = false;
+  EXPECT_EQ (extract (steps, additions).planes().size(), 1u);
+}
+
+TEST (PlaneAdditions, JoiningUnitesAWallBehindAColumn)
+{
+  const std::vector<Surface> wall{strip (2.f, 0, 250), strip (2.f, 350, 640)};
+  PlaneAdditions additions;
+  EXPECT_EQ (extract (wall, additions).planes().size(), 1u);
+  additions.joining = false;
+  EXPECT_EQ (extract (wall, additions).planes().size(), 2u);
+}
+
+TEST (PlaneAdditions, AssignmentIsExactToThePixel)
+{
+  const std::vector<Surface> steps{strip (1.f, 0, 322), strip (1.5f, 322, 640)};
+  PlaneAdditions additions;
+  EXPECT_EQ (labelsIn (extract (steps, additions), 320, 322), Labels{0});
+  additions.assignment = false;
+  // Samples stand for 4 x 4 pixels, here from column 320 on, and see column 322.
+  EXPECT_EQ (labelsIn (extract (steps, additions), 316, 320), Labels{0});
+  EXPECT_EQ (labelsIn (extract (steps, additions), 320, 322), Labels{1});
+}
