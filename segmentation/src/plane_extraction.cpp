@@ -20,7 +20,7 @@ constexpr double min_cell_share = 2.5e-4;
 constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
  * one plane with a few points missing than two. */
-constexpr float growth_reach = 4.f / 3.f;
+constexpr float growth_reach = 1.15f;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */

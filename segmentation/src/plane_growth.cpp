@@ -29,7 +29,7 @@ constexpr float min_start_cosine = 0.8f;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
  * per metre on the surface, where they turn noticeably. */
-constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 6.,
+constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 3.,
                  min_bent_turn = 0.08;
 
 } // namespace

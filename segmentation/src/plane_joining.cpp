@@ -14,10 +14,10 @@ namespace {
 
 /** By how much errors may grow when one plane stands for two, as a ratio of their root
  * mean squares; smaller ones than this many standard deviations count as that. */
-constexpr double max_growth = 1.8, min_error = 0.8;
+constexpr double max_growth = 2.2, min_error = 0.8;
 /** How far off the plane of the larger part the smaller one may lie in the mean, in
  * standard deviations. */
-constexpr double max_offset = 1.5;
+constexpr double max_offset = 2.;
 
 /** 0 for a perfect match, up to 1 for parts that may join. */
 double

@@ -174,6 +174,31 @@ TEST_F (EvaluateCorner, LabelledObjects)
   EXPECT_NE (table_.find ("table IoU"), std::string::npos);
 }
 
+// Planes of a scan whose rows and columns are no image of a pinhole camera.
+TEST_F (EvaluatePlanes, LabelledRecordings)
+{
+  SKIP_WITHOUT_RECORDINGS();
+  const std::string folder = synthetic::dataFolder();
+  ASSERT_EQ (run (folder + "/synpeb --resolution vga --json table.json").code, 0);
+  const json planes = results().at (0);
+  EXPECT_GE (planes["correct_80"].get<double>(),
+             0.8 * planes["planes_truth"].get<double>());
+}
+
+// The table is found whole in every cloud, and cleanly cut from what stands on it.
+TEST_F (EvaluatePlanes, TablesOfRecordings)
+{
+  SKIP_WITHOUT_RECORDINGS();
+  const std::string folder = synthetic::dataFolder();
+  ASSERT_EQ (run (folder + "/mosd_learn --json table.json").code, 0);
+  for (const json& row : results())
+    if (row["method"] == "normal_space") {
+      EXPECT_GE (row["table_iou"], 0.98) << row["resolution"];
+      EXPECT_GE (row["table_iou_worst"], 0.95) << row["resolution"];
+      EXPECT_GE (row["purity_percent"], 99.7) << row["resolution"];
+    }
+}
+
 TEST_F (EvaluatePlanes, WithoutAdditions)
 {
   // A wall behind a column: joining makes its two parts one plane.
