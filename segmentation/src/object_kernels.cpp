@@ -129,7 +129,7 @@ isOver (const SupportPlane& support, const Points& p)
 {
   const Eigen::AlignedBox2f& bounds = support.outline.bounds();
   const auto isBetween = [&] (const Eigen::Vector3f& axis, int side) {
-    const V along = dot ({axis[0], axis[1], axis[2], 0.f}, p);
+    const V along = dot (PlaneEquation{axis[0], axis[1], axis[2], 0.f}, p);
     return hn::And (hn::Ge (along, set (bounds.min()[side])),
                     hn::Le (along, set (bounds.max()[side])));
   };
