@@ -40,4 +40,13 @@ fi
 echo "Installing ${missing[*]} ..."
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
-"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+available=()
+for package in "${missing[@]}"; do
+  if [[ $package == *-14* ]] && ! apt-cache show "$package" >/dev/null 2>&1; then
+    echo "This release has no $package: what needs it is skipped."
+  else
+    available+=("$package")
+  fi
+done
+[ ${#available[@]} -eq 0 ] ||
+  "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${available[@]}" >/dev/null
