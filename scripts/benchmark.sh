@@ -33,6 +33,7 @@ for scene in table_single table_cluttered room corridor; do
 done
 results=$build/benchmark_results
 mkdir -p "$results" "$doc/images"
+trap 'echo "interrupted; tables and plots stay as they were" >&2; exit 1' INT TERM
 # Programs run silently; the last line of one that fails says why.
 run() {
   local messages
@@ -45,4 +46,5 @@ echo "Normals of ${#frames[@]} frames"
 run "$build/bin/pcl_evaluate_normals" "${frames[@]}" --json "$results/normals.json"
 echo "Planes of ${#frames[@]} frames"
 run "$build/bin/pcl_evaluate_planes" "${frames[@]}" --json "$results/planes.json"
+trap - INT # the report tells it itself
 python3 scripts/benchmark_report.py "$results" "$doc"

@@ -69,7 +69,7 @@ kill -INT -- -$!
 code=0
 wait $! || code=$?
 set +m
-check_failure "interrupted; nothing was written" "$code" "$(cat "$work/messages")" "$doc"
+check_failure "interrupted; tables and plots stay as they were" "$code" "$(cat "$work/messages")" "$doc"
 [ -z "$(find "$results" -name "*speed*")" ] || fail "half a result is left"
 
 # A disk that has room for the page, not for the plots.
