@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the project needs to build and test, on Debian 12 and its relatives.
+# Installs what the project needs to build and test, on Debian 12, 13 and their relatives.
 set -euo pipefail
 
 packages=(
