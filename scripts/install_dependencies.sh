@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build pkg-config git
+  build-essential cmake ninja-build pkg-config git file
   libpcl-dev libeigen3-dev libflann-dev libboost-program-options-dev
   libopenmpi-dev # VTK's CMake files look for it
   libx11-dev xvfb xauth # the viewer's window, and a display for its tests and screenshots

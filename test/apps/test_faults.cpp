@@ -26,12 +26,18 @@ constexpr App simulate_rgbd{
 constexpr App plane_viewer{PLANE_VIEWER, "--frames 3 --screenshot DISK/out.png"};
 #ifdef BENCHMARK
 constexpr App benchmark{BENCHMARK,
-                        "--benchmark_filter=copy_floor/qqvga --benchmark_min_time=0.01 "
+                        "--benchmark_filter=copy_floor/qqvga "
                         "--benchmark_out=DISK/out.json --benchmark_format=json "
                         ">/dev/null",
                         "sim:table_single ",
                         ""};
 #endif
+
+void
+PrintTo (const App& app, std::ostream* stream)
+{
+  *stream << app.output;
+}
 
 std::string
 nameOf (const testing::TestParamInfo<App>& info)
