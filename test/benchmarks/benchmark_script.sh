@@ -14,7 +14,10 @@ mkdir "$doc"
 sed '/^<!-- table:/,/^<!-- end -->/{/^<!--/!d}' "$source/doc/benchmarks.md" >"$doc/benchmarks.md"
 cp "$doc/benchmarks.md" "$work/empty.md"
 "$source/scripts/benchmark.sh" --quick "$doc"
-for cell in '`normals/tangent/vga`' '`opencv_fals`' '`pcl_omps`' '| 160 x 120 |' '`two_run_pca`'; do
+# Methods as of OpenCV are there where it was when the programs were built.
+mapfile -t methods < <(grep -ho '"method": *"[^"]*"' "$BUILD"/benchmark_results/*.json |
+  sed 's/.*"\(.*\)"/`\1`/' | sort -u)
+for cell in "${methods[@]}" '`normals/tangent/vga`' '`pcl_omps`' '| 160 x 120 |' '`two_run_pca`'; do
   grep -qF "$cell" "$doc/benchmarks.md" || fail "no $cell in the tables"
 done
 grep -qF nan "$doc/benchmarks.md" && fail "a figure of the tables is missing"
