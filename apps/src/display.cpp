@@ -26,7 +26,7 @@ displayName ()
   return name ? name : "";
 }
 
-/** Xlib ends the program after this; before, VTK would take down what needs the display. */
+/** At once: what VTK would clean up needs the display, and crashes without. */
 int
 endWithoutDisplay (Display*)
 {
