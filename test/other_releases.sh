@@ -27,7 +27,7 @@ for suite in "${@:-trixie}"; do
     mount -t proc proc "$1/proc"
     mount --rbind /dev "$1/dev"
     [ ! -d "$2" ] || mount --bind "$2" "$1/shared/data"
-    exec env -u PCL_RGBD_PLANES_DATA chroot "$1" bash /pcl_rgbd_planes/scripts/test.sh' \
-    bash "$root" "$data"
+    exec env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+      chroot "$1" bash /pcl_rgbd_planes/scripts/test.sh' bash "$root" "$data"
   rm -rf --one-file-system "$root"
 done
