@@ -5,6 +5,8 @@
 
 #include "clouds.h"
 
+#include <pcl/apps/interruption.h>
+
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -35,12 +37,16 @@ template <typename Compute>
 void
 measure (benchmark::State& state, const Clouds& clouds, const Compute& compute)
 {
-  for (const auto& cloud : clouds)
-    compute (cloud);
+  const auto compute_all = [&] {
+    for (const auto& cloud : clouds) {
+      stopIfInterrupted();
+      compute (cloud);
+    }
+  };
+  compute_all();
   while (
       state.KeepRunningBatch (static_cast<benchmark::IterationCount> (clouds.size())))
-    for (const auto& cloud : clouds)
-      compute (cloud);
+    compute_all();
   const auto points = static_cast<std::int64_t> (clouds.front()->size());
   state.SetItemsProcessed (state.iterations() * points);
   state.counters["points"] = static_cast<double> (points);

@@ -4,6 +4,7 @@
 #include "clouds.h"
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/common/io.h>
 #include <pcl/simulation/subsample.h>
 
@@ -26,6 +27,7 @@ readClouds (const std::vector<InputOptions>& inputs, BaseTransforms& camera_to_b
   for (const auto& input : inputs) {
     const FrameSource source (input);
     for (std::size_t i = 0; i < source.size(); ++i) {
+      stopIfInterrupted();
       const Frame frame = source.read (i);
       auto cloud = pcl::make_shared<Cloud>();
       pcl::copyPointCloud (*frame.cloud, *cloud);

@@ -28,7 +28,7 @@ void
 copyFloor (benchmark::State& state, const Clouds& clouds)
 {
   Normals normals (clouds.front()->width, clouds.front()->height);
-  pcl::Normal* const output = normals.points.data();
+  pcl::Normal* output = normals.points.data();
   benchmark::DoNotOptimize (output);
   measure (state, clouds, [&, output] (const Cloud::ConstPtr& cloud) {
     pcl::Normal* normal = output;

@@ -6,11 +6,17 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
+#include <pcl/apps/output_files.h>
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
 
+#include <algorithm>
 #include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
 
 using namespace pcl::rgbd_planes;
 
@@ -52,18 +58,71 @@ readInputs (int argc, char** argv)
   return inputs;
 }
 
+/** Keeps the rows for a file in memory. Google Benchmark itself writes one by one, does not see
+ * when a disk is full, and leaves half a file after an interruption. */
+class Results : public benchmark::JSONReporter {
+public:
+  bool
+  ReportContext (const Context& context) override
+  {
+    SetOutputStream (&json_);
+    return JSONReporter::ReportContext (context);
+  }
+
+  std::string
+  json () const
+  {
+    return json_.str();
+  }
+
+private:
+  std::ostringstream json_;
+};
+
+/** Takes the file of --benchmark_out=FILE from the arguments, where there is one. */
+std::optional<std::string>
+takeResultFile (int argc, char** argv)
+{
+  static char nowhere[] = "--benchmark_out=/dev/null";
+  const std::string option = "--benchmark_out=", format = "--benchmark_out_format=";
+  std::optional<std::string> file;
+  std::for_each (argv + 1, argv + argc, [&] (char*& argument) {
+    const std::string text = argument;
+    if (text.rfind (format, 0) == 0 && text != format + "json")
+      throw AppError (text +
+                      ": files are JSON; for other formats use --benchmark_format");
+    if (text.rfind (option, 0) == 0 && text != option) {
+      file = text.substr (option.size());
+      argument = nowhere;
+    }
+  });
+  return file;
+}
+
 void
 runBenchmarks (int argc, char** argv)
 {
+  const auto file = takeResultFile (argc, argv);
   benchmark::Initialize (&argc, argv, printHelp);
+  catchInterruption();
+  const auto inputs = readInputs (argc, argv);
+  OutputFiles files;
+  // An unwritable place is known before the work is done.
+  if (file)
+    files.write (*file, "");
   BaseTransforms camera_to_base;
-  const Clouds frames = readClouds (readInputs (argc, argv), camera_to_base);
+  const Clouds frames = readClouds (inputs, camera_to_base);
   registerNormalBenchmarks (frames);
   registerPlaneBenchmarks (frames);
   registerObjectBenchmarks (frames, camera_to_base);
-  if (benchmark::RunSpecifiedBenchmarks() == 0)
+  Results results;
+  if (benchmark::RunSpecifiedBenchmarks (nullptr, file ? &results : nullptr) == 0)
     throw AppError ("nothing matches --benchmark_filter; see --benchmark_list_tests");
   benchmark::Shutdown();
+  if (file)
+    files.write (*file, results.json());
+  flushOutput();
+  files.commit();
 }
 
 } // namespace

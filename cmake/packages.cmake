@@ -35,7 +35,7 @@ if(PCL_RGBD_PLANES_BUILD_APPS)
   set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS "${same_version}")
   # pcl_plane_viewer --screenshot without a display
-  set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SUGGESTS "xvfb, xauth")
+  set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SUGGESTS xvfb)
   set(CPACK_COMPONENT_APPLICATIONS_DESCRIPTION
       "${PROJECT_DESCRIPTION}: command-line applications.")
 endif()

@@ -33,11 +33,18 @@ for scene in table_single table_cluttered room corridor; do
 done
 results=$build/benchmark_results
 mkdir -p "$results" "$doc/images"
+trap 'echo "interrupted; tables and plots stay as they were" >&2; exit 1' INT TERM
+# Programs run silently; the last line of one that fails says why.
+run() {
+  local messages
+  messages=$("$@" 2>&1 >/dev/null) || { echo "${messages##*$'\n'}" >&2; exit 1; }
+}
 echo "Benchmarks"
-"$build/bin/pcl_rgbd_planes_benchmark" "${options[@]}" --benchmark_report_aggregates_only=true \
-  --benchmark_out="$results/speed.json" >/dev/null 2>&1
+run "$build/bin/pcl_rgbd_planes_benchmark" "${options[@]}" --benchmark_report_aggregates_only=true \
+  --benchmark_out="$results/speed.json"
 echo "Normals of ${#frames[@]} frames"
-"$build/bin/pcl_evaluate_normals" "${frames[@]}" --json "$results/normals.json" >/dev/null
+run "$build/bin/pcl_evaluate_normals" "${frames[@]}" --json "$results/normals.json"
 echo "Planes of ${#frames[@]} frames"
-"$build/bin/pcl_evaluate_planes" "${frames[@]}" --json "$results/planes.json" >/dev/null
+run "$build/bin/pcl_evaluate_planes" "${frames[@]}" --json "$results/planes.json"
+trap - INT # the report tells it itself
 python3 scripts/benchmark_report.py "$results" "$doc"

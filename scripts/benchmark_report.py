@@ -9,6 +9,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 RESOLUTIONS = ("vga", "qvga", "qqvga")
 PIXELS = {"vga": "640 x 480", "qvga": "320 x 240", "qqvga": "160 x 120"}
@@ -16,7 +17,10 @@ PIXELS = {"vga": "640 x 480", "qvga": "320 x 240", "qqvga": "160 x 120"}
 
 def read(folder, name, key):
     with open(folder / name, encoding="utf-8") as file:
-        return json.load(file)[key]
+        try:
+            return json.load(file)[key]
+        except (ValueError, KeyError):
+            sys.exit(f"{folder / name}: damaged; run scripts/benchmark.sh anew")
 
 
 class Speed:
@@ -127,7 +131,11 @@ def plot(file, commands, rows):
     data = "$data << EOD\n" + "\n".join(rows) + "\nEOD\n"
     script = (f"set terminal pngcairo noenhanced size 760,420 font 'sans,10'\n"
               f"set output '{file}'\nset grid\n{data}{commands}\n")
-    subprocess.run(["gnuplot", "-"], input=script, text=True, check=True)
+    messages = subprocess.run(["gnuplot", "-"], input=script, text=True, check=False,
+                              stderr=subprocess.PIPE).stderr
+    if not file.exists() or b"IEND" not in file.read_bytes()[-12:]:
+        sys.exit(f"{file.name}: gnuplot cannot write it (is the disk full?) "
+                 f"{' '.join(messages.split())}".rstrip())
 
 
 def plot_stages(speed, file):
@@ -173,6 +181,17 @@ def plot_accuracy(normals, file):
                "$data using 3 title 'above 25 degrees, percent'", rows)
 
 
+def draw(speed, normals, planes, images):
+    at_vga = [row for row in normals if row["resolution"] == "vga"]
+    plot_stages(speed, images / "benchmark_stages.png")
+    plot_points(speed, images / "benchmark_points.png")
+    plot_accuracy(at_vga, images / "benchmark_normals.png")
+    plot_scatter(at_vga, lambda row: row["method"], "mean_deg", "mean deviation, degrees",
+                 images / "benchmark_normals_speed.png")
+    plot_scatter(planes, lambda row: f"{row['method']} {row['resolution']}", "f1_50",
+                 "F1 at IoU 0.5", images / "benchmark_planes_speed.png")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("usage: benchmark_report.py RESULTS DOC")
@@ -185,16 +204,18 @@ def main():
     for name, content in (("stages", stage_table(speed)), ("speed", speed_table(speed)),
                           ("normals", accuracy_table(normals)), ("planes", plane_table(planes))):
         text = renew(text, name, content)
-    at_vga = [row for row in normals if row["resolution"] == "vga"]
-    images = doc / "images"
-    plot_stages(speed, images / "benchmark_stages.png")
-    plot_points(speed, images / "benchmark_points.png")
-    plot_accuracy(at_vga, images / "benchmark_normals.png")
-    plot_scatter(at_vga, lambda row: row["method"], "mean_deg", "mean deviation, degrees",
-                 images / "benchmark_normals_speed.png")
-    plot_scatter(planes, lambda row: f"{row['method']} {row['resolution']}", "f1_50",
-                 "F1 at IoU 0.5", images / "benchmark_planes_speed.png")
-    page.write_text(text, encoding="utf-8")
+    with tempfile.TemporaryDirectory(prefix=".benchmarks_", dir=doc) as folder:
+        new = pathlib.Path(folder)
+        draw(speed, normals, planes, new)
+        (new / page.name).write_text(text, encoding="utf-8")
+        for image in new.glob("*.png"):
+            image.replace(doc / "images" / image.name)
+        (new / page.name).replace(page)
 
 
-main()
+try:
+    main()
+except OSError as error:
+    sys.exit(f"{error.filename}: {error.strerror}")
+except KeyboardInterrupt:
+    sys.exit("interrupted; nothing was written")

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what the project needs to build and test, on Debian 12 and its relatives.
+# Installs what the project needs to build and test, on Debian 12, 13 and their relatives.
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build pkg-config git
+  build-essential cmake ninja-build pkg-config git file
   libpcl-dev libeigen3-dev libflann-dev libboost-program-options-dev
   libopenmpi-dev # VTK's CMake files look for it
   libx11-dev xvfb xauth # the viewer's window, and a display for its tests and screenshots
@@ -40,4 +40,13 @@ fi
 echo "Installing ${missing[*]} ..."
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
-"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+available=()
+for package in "${missing[@]}"; do
+  if [[ $package == *-14* ]] && ! apt-cache show "$package" >/dev/null 2>&1; then
+    echo "This release has no $package: what needs it is skipped."
+  else
+    available+=("$package")
+  fi
+done
+[ ${#available[@]} -eq 0 ] ||
+  "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${available[@]}" >/dev/null

@@ -36,7 +36,7 @@ export LSAN_OPTIONS=suppressions=$build/leaks_of_others:print_suppressions=0
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 # Where nothing may be written, the counters of coverage and Clang's OpenMP complain as well;
 # allocations are counted in malloc, which is the sanitizer's here.
-export GTEST_FILTER=-*NoBytesMayBeWritten*:SegmentObstacles.BadInputLeavesNothing:*Allocations*
+export GTEST_FILTER='-*NoBytesMayBeWritten*:SegmentObstacles.BadInputLeavesNothing:*Allocations*'
 export PCL_RGBD_PLANES_SOAK_FRAMES=${PCL_RGBD_PLANES_SOAK_FRAMES:-200}
 # Threads that wait must not take the time of those that work.
 export OMP_WAIT_POLICY=passive LOGS=$build/logs BIN=$build/bin

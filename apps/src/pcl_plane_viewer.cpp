@@ -116,22 +116,22 @@ readOptions (int argc, char** argv)
 }
 
 void
-takeScreenshot (const Options& options, char** argv)
+takeScreenshot (const Options& options)
 {
-  provideDisplay (argv);
   InputOptions input = options.input;
   if (input.max_frames == InputOptions().max_frames)
     input.max_frames = 1;
   const FrameSource source (input);
   catchInterruption();
-  OutputFiles files;
   // An unwritable place is known before the work is done.
-  files.write (*options.screenshot, "");
+  OutputFiles().write (*options.screenshot, "");
+  provideDisplay();
   PlaneViewer viewer (options.viewer);
   for (std::size_t i = 0; i < source.size(); ++i) {
     viewer.show (source.read (i));
     stopIfInterrupted();
   }
+  OutputFiles files;
   files.write (*options.screenshot, encodePng (viewer.window().picture()));
   files.commit();
 }
@@ -162,7 +162,7 @@ viewPlanes (int argc, char** argv)
   if (!options)
     return;
   if (options->screenshot)
-    takeScreenshot (*options, argv);
+    takeScreenshot (*options);
   else
     playInput (*options);
 }

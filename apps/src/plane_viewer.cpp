@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/apps/app_error.h>
 #include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_grabber.h>
 #include <pcl/apps/output_files.h>
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iostream>
 
 namespace pcl {
@@ -191,7 +191,7 @@ PlaneViewer::save()
     message_ = "saved " + file.string() + ".png and .pcd";
     std::cout << message_ << std::endl;
   }
-  catch (const AppError& error) {
+  catch (const std::exception& error) {
     message_ = error.what();
     std::cerr << message_ << std::endl;
   }

@@ -145,7 +145,7 @@ struct Projected {
   HWY_INLINE static V
   along (const Eigen::Vector3f& axis, const Points& p)
   {
-    return dot ({axis[0], axis[1], axis[2], 0.f}, p);
+    return dot (PlaneEquation{axis[0], axis[1], axis[2], 0.f}, p);
   }
 
   HWY_INLINE Mask

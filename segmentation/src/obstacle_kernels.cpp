@@ -36,8 +36,8 @@ classifyRowHere (const PointRow& row,
   const V farthest = set (noise.max_range * noise.max_range);
   for (std::size_t i = 0; i < row.size(); i += hn::Lanes (Floats())) {
     const Points p = load (row, static_cast<std::ptrdiff_t> (i));
-    const V height =
-        hn::Add (dot ({floor[0], floor[1], floor[2], 0.f}, p), set (floor[3]));
+    const V height = hn::Add (dot (PlaneEquation{floor[0], floor[1], floor[2], 0.f}, p),
+                              set (floor[3]));
     const V squared_range = squaredLength (p);
     const V sigma = hn::Mul (set (floor[3]), sigmaOf (noise, squared_range));
     const V variance = hn::Div (hn::Mul (sigma, sigma), squared_range);
@@ -82,7 +82,8 @@ moveRowHere (const PointRow& row,
   for (std::size_t i = 0; i < row.size(); i += hn::Lanes (Floats())) {
     const Points p = load (row, static_cast<std::ptrdiff_t> (i));
     const auto coordinate = [&] (int k) {
-      return hn::Add (dot ({m (k, 0), m (k, 1), m (k, 2), 0.f}, p), set (m (k, 3)));
+      return hn::Add (dot (PlaneEquation{m (k, 0), m (k, 1), m (k, 2), 0.f}, p),
+                      set (m (k, 3)));
     };
     const V new_x = coordinate (0), new_y = coordinate (1);
     hn::StoreU (new_x, Floats(), x + i);

@@ -3,7 +3,11 @@
 
 #include "renderer.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -19,6 +23,24 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr std::size_t cylinder_sides = 128;
+
+#if RTC_VERSION_MAJOR == 3 // Embree 4 has both of these.
+void
+rtcIntersect1 (RTCScene scene, RTCRayHit* hit)
+{
+  RTCIntersectContext context;
+  rtcInitIntersectContext (&context);
+  ::rtcIntersect1 (scene, &context, hit);
+}
+
+void
+rtcOccluded1 (RTCScene scene, RTCRay* ray)
+{
+  RTCIntersectContext context;
+  rtcInitIntersectContext (&context);
+  ::rtcOccluded1 (scene, &context, ray);
+}
+#endif
 
 /** A scene in Embree, in the camera frame: geometry i is surface i. */
 class RayTracer {
@@ -40,24 +62,19 @@ public:
   RTCRayHit
   trace (const Vector3f& direction) const
   {
-    RTCIntersectContext context;
-    rtcInitIntersectContext (&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     RTCRayHit hit{};
     hit.ray = ray (Vector3f::Zero(), direction);
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1 (scene_.get(), &context, &hit);
+    rtcIntersect1 (scene_.get(), &hit);
     return hit;
   }
 
   bool
   isHidden (const Vector3f& point, const Vector3f& from) const
   {
-    RTCIntersectContext context;
-    rtcInitIntersectContext (&context);
     RTCRay shadow = ray (from, point - from);
     shadow.tfar = 0.999f;
-    rtcOccluded1 (scene_.get(), &context, &shadow);
+    rtcOccluded1 (scene_.get(), &shadow);
     return shadow.tfar < 0.f;
   }
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "app_test.h"
+#include "x_client.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@ struct App {
   const char* executable;
   /** What makes it write all it can into the folder DISK. */
   const char* output;
+  const char* simulated_frame = "sim:table_single --resolution qqvga ";
+  const char* size_of_files = "--resolution vga ";
 };
 
 constexpr App evaluate_detection{EVALUATE_DETECTION, "--json DISK/out.json"};
@@ -18,7 +21,23 @@ constexpr App evaluate_normals{EVALUATE_NORMALS, "--json DISK/out.json"};
 constexpr App evaluate_planes{EVALUATE_PLANES, "--json DISK/out.json"};
 constexpr App segment_planes{
     SEGMENT_PLANES, "--objects --obstacles --output DISK/out --json DISK/out.json"};
-constexpr App simulate_rgbd{SIMULATE_RGBD, "--output DISK/out"};
+constexpr App simulate_rgbd{
+    SIMULATE_RGBD, "--output DISK/out", "table_single --resolution qqvga "};
+constexpr App plane_viewer{PLANE_VIEWER, "--frames 3 --screenshot DISK/out.png"};
+#ifdef BENCHMARK
+constexpr App benchmark{BENCHMARK,
+                        "--benchmark_filter=copy_floor/qqvga "
+                        "--benchmark_out=DISK/out.json --benchmark_format=json "
+                        ">/dev/null",
+                        "sim:table_single ",
+                        ""};
+#endif
+
+void
+PrintTo (const App& app, std::ostream* stream)
+{
+  *stream << app.output;
+}
 
 std::string
 nameOf (const testing::TestParamInfo<App>& info)
@@ -30,6 +49,13 @@ nameOf (const testing::TestParamInfo<App>& info)
 class Faults : public AppTest, public testing::WithParamInterface<App> {
 protected:
   Faults() : AppTest (GetParam().executable) {}
+
+  void
+  SetUp () override
+  {
+    if (name_ == "pcl_plane_viewer" && !std::getenv ("DISPLAY"))
+      GTEST_SKIP() << "there is no display: install the packages xvfb and xauth";
+  }
 
   static std::string
   outputTo (const std::string& disk)
@@ -50,15 +76,17 @@ protected:
     EXPECT_EQ (outcome.err.find ('\n'), outcome.err.size() - 1) << outcome.err;
     EXPECT_FALSE (std::filesystem::exists (folder_ / "out"));
     for (const auto& file : listFolder (folder_.path()))
-      EXPECT_EQ (file.find ("out.json"), std::string::npos) << file;
+      EXPECT_EQ (file.find ("out."), std::string::npos) << file;
   }
+
+  /** Is there all the time: Xvfb starts anew when its last client goes. */
+  const XClient client_;
 };
 
 /** While it writes the results of a simulated frame. */
 class OutputFaults : public Faults {
 protected:
-  const std::string work_ = (name_ == "pcl_simulate_rgbd" ? "" : "sim:") +
-                            std::string ("table_single --resolution qqvga ");
+  const std::string work_ = GetParam().simulated_frame;
 
   /** Runs the application where "disk" is a file system of its own, after commands of a
    * shell; prints what is on it afterwards. */
@@ -84,6 +112,7 @@ protected:
   void
   SetUp () override
   {
+    Faults::SetUp();
     std::filesystem::create_directory (folder_ / "in");
     writePng (folder_ / "frame.png", 160, std::vector<std::uint16_t> (160 * 160, 1000));
     frame_ = readFile (folder_ / "frame.png");
@@ -104,8 +133,13 @@ protected:
 
   std::string frame_;
   const std::string camera_ =
-      " --intrinsics 131,131,79.5,79.5 --depth-scale 1000 --resolution vga ";
+      std::string (" --intrinsics 131,131,79.5,79.5 --depth-scale 1000 ") +
+      GetParam().size_of_files;
 };
+
+/** Of applications that print results, and work while their files are open. */
+class PrintedOutputFaults : public OutputFaults {};
+class PrintedInputFaults : public InputFaults {};
 
 } // namespace
 
@@ -138,24 +172,24 @@ TEST_P (OutputFaults, NoFolderCanBeThere)
 TEST_P (OutputFaults, NoBytesMayBeWritten)
 {
   const Outcome outcome =
-      shell ("{ { (ulimit -f 0; " + application_ + " " + work_ + outputTo (".") +
-             " 2>&1 >/dev/null; echo $? >&3) | cat >&2; } 3>&1; } | "
+      shell ("{ { (ulimit -f 0; { " + application_ + " " + work_ + outputTo (".") +
+             "; } 2>&1 >/dev/null; echo $? >&3) | cat >&2; } 3>&1; } | "
              "(read code; exit $code)");
   expectFailed (outcome, "File too large");
 }
 
-TEST_P (OutputFaults, FullStandardOutput)
+TEST_P (PrintedOutputFaults, FullStandardOutput)
 {
   expectFailed (run (work_ + outputTo (".") + " >/dev/full"),
                 "cannot write to standard output");
 }
 
-TEST_P (OutputFaults, InterruptionAtAnyTime)
+TEST_P (PrintedOutputFaults, InterruptionAtAnyTime)
 {
-  const Outcome outcome = shell (
-      application_ + " " + work_ + outputTo (".") +
-      "& pid=$!; until [ -e out ] || ls .out.json.* >/dev/null 2>&1; do :; done; "
-      "kill -INT $pid; wait $pid");
+  const Outcome outcome =
+      shell (application_ + " " + work_ + outputTo (".") +
+             "& pid=$!; until [ -e out ] || ls .out.* >/dev/null 2>&1; do :; done; "
+             "kill -INT $pid; wait $pid");
   expectFailed (outcome, "interrupted; nothing was written");
   EXPECT_EQ (outcome.out, "");
 }
@@ -220,7 +254,7 @@ TEST_P (InputFaults, Signals)
   }
 }
 
-TEST_P (InputFaults, ReaderOfTheResultsThatEnds)
+TEST_P (PrintedInputFaults, ReaderOfTheResultsThatEnds)
 {
   const Outcome outcome = shell ("rm in/2.png; mkfifo in/2.png results; " +
                                  application_ + " in" + camera_ + outputTo (".") +
@@ -229,18 +263,27 @@ TEST_P (InputFaults, ReaderOfTheResultsThatEnds)
   expectFailed (outcome, "cannot write to standard output");
 }
 
-INSTANTIATE_TEST_SUITE_P (Apps,
-                          OutputFaults,
-                          testing::Values (evaluate_detection,
-                                           evaluate_normals,
-                                           evaluate_planes,
-                                           segment_planes,
-                                           simulate_rgbd),
-                          nameOf);
-INSTANTIATE_TEST_SUITE_P (Apps,
-                          InputFaults,
-                          testing::Values (evaluate_detection,
-                                           evaluate_normals,
-                                           evaluate_planes,
-                                           segment_planes),
-                          nameOf);
+namespace {
+
+const auto readers = testing::Values (
+    evaluate_detection, evaluate_normals, evaluate_planes, segment_planes);
+const auto simulator = testing::Values (simulate_rgbd);
+const auto viewer = testing::Values (plane_viewer);
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P (Apps, OutputFaults, readers, nameOf);
+INSTANTIATE_TEST_SUITE_P (Apps, PrintedOutputFaults, readers, nameOf);
+INSTANTIATE_TEST_SUITE_P (Apps, InputFaults, readers, nameOf);
+INSTANTIATE_TEST_SUITE_P (Apps, PrintedInputFaults, readers, nameOf);
+INSTANTIATE_TEST_SUITE_P (Simulator, OutputFaults, simulator, nameOf);
+INSTANTIATE_TEST_SUITE_P (Simulator, PrintedOutputFaults, simulator, nameOf);
+INSTANTIATE_TEST_SUITE_P (Viewer, OutputFaults, viewer, nameOf);
+INSTANTIATE_TEST_SUITE_P (Viewer, InputFaults, viewer, nameOf);
+#ifdef BENCHMARK
+const auto times = testing::Values (benchmark);
+INSTANTIATE_TEST_SUITE_P (Benchmark, OutputFaults, times, nameOf);
+INSTANTIATE_TEST_SUITE_P (Benchmark, PrintedOutputFaults, times, nameOf);
+INSTANTIATE_TEST_SUITE_P (Benchmark, InputFaults, times, nameOf);
+INSTANTIATE_TEST_SUITE_P (Benchmark, PrintedInputFaults, times, nameOf);
+#endif

@@ -64,7 +64,7 @@ nearRadius (float z)
   return 0.01f + 0.01f * z;
 }
 
-const NormalResult&
+NormalResult
 find (const NormalComparison& comparison, const std::string& method)
 {
   const auto& results = comparison.results();
@@ -185,7 +185,7 @@ TEST (NormalComparison, EdgesAndInterior)
 {
   NormalComparison comparison ({1}, nearRadius);
   comparison.add (makeFrame (30.f, 2.f));
-  const NormalResult& result = find (comparison, "two_run_pca");
+  const NormalResult result = find (comparison, "two_run_pca");
   EXPECT_NEAR (result.edges.mean(), 30., 0.1);
   EXPECT_NEAR (result.interior.mean(), 2., 0.1);
   EXPECT_NEAR (result.all.mean(), 16., 0.1);
@@ -203,8 +203,8 @@ TEST (NormalComparison, TangentOverThePointsOfAnother)
         frame.truth->at (u, v).getNormalVector3fMap() = n.unitOrthogonal();
   NormalComparison comparison ({1}, nearRadius);
   comparison.add (frame);
-  const NormalResult& tangent = find (comparison, "tangent");
-  const NormalResult& pcl_mode = find (comparison, "pcl_covariance_matrix_10");
+  const NormalResult tangent = find (comparison, "tangent");
+  const NormalResult pcl_mode = find (comparison, "pcl_covariance_matrix_10");
   EXPECT_GT (tangent.all.mean(), 5.);
   EXPECT_EQ (tangent.tangent_there.mean(), tangent.all.mean());
   EXPECT_LT (pcl_mode.tangent_there.mean(), 0.1);

@@ -137,7 +137,7 @@ TEST_F (PlaneViewerApp, WithoutADisplayItSaysWhatToDo)
                  "cannot open the display ':77'",
                  "env DISPLAY=:77");
   expectRefused ("sim:room --screenshot seen.png",
-                 "install the packages xvfb and xauth",
+                 "install the package xvfb",
                  "env -u DISPLAY PATH=/nonexistent");
 }
 
@@ -165,6 +165,45 @@ TEST_F (PlaneViewerApp, BadUsageIsRefused)
   writeFile (folder_ / "damaged.pcd", "no cloud");
   expectRefused ("damaged.pcd", "damaged.pcd");
   expectRefused ("damaged.pcd --screenshot seen.png", "damaged.pcd");
+}
+
+/** Ctrl-C goes to all processes that a terminal started. */
+TEST_F (PlaneViewerApp, InterruptedScreenshotsLeaveNothing)
+{
+  for (const std::string signal : {"-INT -- -", "-TERM "}) {
+    const Outcome outcome =
+        shell ("rm 2.png; mkfifo 2.png; bash <<'END'\nset -m; " + no_display_ + " " +
+               application_ + " . --frames 2 --screenshot seen.png" + camera_ +
+               "& pid=$!; exec 3>2.png; kill " + signal +
+               "$pid; cat 1.png >&3; exec 3>&-; wait $pid\nEND");
+    EXPECT_EQ (outcome.code, 1);
+    EXPECT_EQ (outcome.err, "pcl_plane_viewer: interrupted; nothing was written\n");
+    EXPECT_EQ (listFolder (folder_.path()),
+               (std::vector<std::string>{"1.png", "2.png"}));
+  }
+}
+
+TEST_F (PlaneViewerApp, ItEndsWithItsDisplay)
+{
+  const Outcome outcome =
+      shell ("rm 2.png; mkfifo 2.png; mkfifo number; "
+             "Xvfb -displayfd 3 3>number 2>/dev/null & server=$!; "
+             "DISPLAY=:$(head -n 1 number) " +
+             application_ + " . --frames 2 --screenshot seen.png" + camera_ +
+             "& pid=$!; exec 3>2.png; kill $server; wait $server; cat 1.png >&3; "
+             "exec 3>&-; wait $pid");
+  EXPECT_EQ (outcome.code, 1);
+  EXPECT_EQ (outcome.err, "pcl_plane_viewer: the display has gone; start it again\n");
+  EXPECT_EQ (listFolder (folder_.path()),
+             (std::vector<std::string>{"1.png", "2.png", "number"}));
+}
+
+TEST_F (PlaneViewerApp, ItEndsAtADamagedFrame)
+{
+  const std::string frame = readFile (folder_ / "1.png");
+  writeFile (folder_ / "3.png", frame.substr (0, frame.size() / 2));
+  expectRefused (". " + camera_, "3.png: ");
+  expectRefused (". --loop --rate 1000" + camera_, "3.png: ");
 }
 
 TEST_F (PlaneViewerApp, HelpTellsKeysAndOptions)

@@ -2,8 +2,13 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "viewer_window_test.h"
+#include <sys/resource.h>
 
 #include <pcl/io/pcd_grabber.h>
+
+#include <algorithm>
+#include <csignal>
+#include <utility>
 
 using namespace pcl::rgbd_planes;
 
@@ -102,6 +107,47 @@ TEST_F (ViewerControlsTest, NothingIsSavedAmongTheInputs)
   press ('s');
   EXPECT_TRUE (says ("choose another folder"));
   EXPECT_TRUE (listFolder (folder_.path()).empty());
+}
+
+TEST_F (ViewerControlsTest, FoldersThatCannotBeThereAreTold)
+{
+  writeFile (folder_ / "file", "");
+  std::filesystem::create_symlink ("loop", folder_ / "loop");
+  for (const std::string name : {"file", "file/folder", "loop/folder"}) {
+    options_.output = folder_ / name;
+    viewer_.reset();
+    viewer_ = std::make_unique<PlaneViewer> (options_);
+    viewer_->show (viewer_scene::makeFrame());
+    press ('s');
+    EXPECT_TRUE (says ((folder_ / name.substr (0, 4)).string())) << viewer_->status();
+    EXPECT_FALSE (says ("\nsaved "));
+    EXPECT_TRUE (viewer_->update()) << "goes on";
+  }
+  EXPECT_EQ (listFolder (folder_.path()), (std::vector<std::string>{"file", "loop"}));
+}
+
+/** As where a disk has room for one file of two. */
+TEST_F (ViewerControlsTest, HalfOfWhatIsSavedDoesNotStay)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  press ('s');
+  std::uintmax_t largest = 0;
+  for (const auto& file : listFolder (folder_.path())) {
+    largest = std::max (largest, std::filesystem::file_size (folder_ / file));
+    std::filesystem::remove (folder_ / file);
+  }
+  std::signal (SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  getrlimit (RLIMIT_FSIZE, &limit);
+  const rlim_t all = std::exchange (limit.rlim_cur, largest - 1);
+  setrlimit (RLIMIT_FSIZE, &limit);
+  press ('s');
+  limit.rlim_cur = all;
+  setrlimit (RLIMIT_FSIZE, &limit);
+  EXPECT_TRUE (says (": cannot write this file: File too large")) << viewer_->status();
+  EXPECT_TRUE (listFolder (folder_.path()).empty());
+  press ('s');
+  EXPECT_TRUE (says ("\nsaved ")) << "once there is room";
 }
 
 TEST_F (ViewerControlsTest, FramesThatAreNotShownAreCounted)

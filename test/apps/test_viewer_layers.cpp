@@ -139,7 +139,7 @@ TEST_F (ViewerLayersTest, PlanesHaveColoursThatStay)
   const auto& point = next[next.size() - 640 * 40];
   EXPECT_TRUE (pcl::RGB (point.r, point.g, point.b) == colours[viewer_scene::floor]);
   frame_.compute (viewer_scene::makeFrame(), 2);
-  const auto& coarse = paint ("planes")[320 * 220 + 160];
+  const auto coarse = paint ("planes")[320 * 220 + 160];
   EXPECT_TRUE (pcl::RGB (coarse.r, coarse.g, coarse.b) == colours[viewer_scene::floor])
       << "at another resolution";
 }

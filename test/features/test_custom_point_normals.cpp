@@ -5,6 +5,7 @@
 #define PCL_NO_PRECOMPILE
 
 #include "normal_clouds.h"
+#include "vector_map.h"
 
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/two_run_normal.h>
@@ -25,6 +26,7 @@ struct Surfel {
   float normal_x, normal_y, normal_z;
   float curvature;
   float x, y, z;
+  ADD_VECTOR_MAP
 };
 
 POINT_CLOUD_REGISTER_POINT_STRUCT (

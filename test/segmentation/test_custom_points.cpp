@@ -5,6 +5,7 @@
 #define PCL_NO_PRECOMPILE
 
 #include "numbers_of_all_classes.h"
+#include "vector_map.h"
 
 #include <pcl/register_point_struct.h>
 
@@ -21,6 +22,7 @@ POINT_CLOUD_REGISTER_POINT_STRUCT (
 struct PackedPoint {
   std::uint32_t time;
   float x, y, z;
+  ADD_VECTOR_MAP
 };
 
 POINT_CLOUD_REGISTER_POINT_STRUCT (
@@ -31,6 +33,7 @@ struct Surfel {
   float radius;
   float normal_x, normal_y, normal_z;
   float curvature;
+  ADD_VECTOR_MAP
 };
 
 POINT_CLOUD_REGISTER_POINT_STRUCT (

@@ -11,10 +11,10 @@ namespace rgbd_planes {
 void
 checkDisplay ();
 
-/** \brief Where the environment names no display, starts the program anew on a display without
- * a screen (xvfb-run), and does not return; AppError where that is not installed. */
+/** \brief Where the environment names no display, starts one without a screen (Xvfb) for this
+ * program; AppError where that is not installed. */
 void
-provideDisplay (char** argv);
+provideDisplay ();
 
 } // namespace rgbd_planes
 } // namespace pcl
