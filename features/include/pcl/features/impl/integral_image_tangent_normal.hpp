@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/integral_image_tangent_normal.h>

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/console/print.h>
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/two_run_normal.h>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/common/io.h>
+#include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/filters/camera_to_base.h>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/region_contour.h>
