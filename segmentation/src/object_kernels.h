@@ -20,11 +20,13 @@ namespace rgbd_planes {
  * under no plane before. */
 constexpr std::uint8_t surely_above = 128;
 
-/** For each measured point, the first of \a planes to which it is no further than the largest height
- * of an object, and over whose outline's bounds it lies if it does not lie on the plane.
+/** For each measured point, the first of \a planes to which it is no further than the
+ * largest height of an object, and over whose outline's bounds it lies if it does not lie on
+ * the plane.
  * \param[in] v the number of the row in the image, for the warp of the planes
  * \param[out] places 0 where the point is on that plane within noise, 1 where there is no
- * such plane, 2 + k where it is above the plane number k, and \ref surely_above
+ * such plane, 2 + k where it is above the plane number k, \ref surely_above
+ * more where that is certain
  * \param[out] has_above whether there is a point above a plane, for each block of the row
  */
 void

@@ -137,13 +137,15 @@ SupportPlanes::compute (const OrganizedPoints& points,
     support.plane = plane;
     support.height = height;
     outline (points, *planes[k].inliers, parameters, support);
-    support.warp.compute (points, *planes[k].inliers, plane);
   }
   supports_.resize (count);
   std::sort (supports_.begin(), supports_.end(), [] (const auto& a, const auto& b) {
     return a.height != b.height ? a.height > b.height : a.index < b.index;
   });
   markPlanesOnObjects (points, planes, parameters);
+  for (SupportPlane& support : supports_)
+    if (!support.is_on_object)
+      support.warp.compute (points, *planes[support.index].inliers, support.plane);
   findBackground (points, planes, parameters);
 }
 

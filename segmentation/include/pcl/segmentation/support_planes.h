@@ -33,7 +33,7 @@ struct SupportPlane {
   Eigen::Vector3f axis_x, axis_y;
   float height = 0.f; /**< of the centre of its points in the base frame */
   ConvexOutline outline;
-  PlaneWarp warp;
+  PlaneWarp warp; /**< of planes that are not on an object */
   /** It lies on a thing that stands on another plane, like a lid. */
   bool is_on_object = false;
 
