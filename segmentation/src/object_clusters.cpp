@@ -201,31 +201,45 @@ ObjectClusters::sumUp()
       run.set = runs_[root].set;
     Sums& sums = sums_[run.set];
     sums.points += run.length;
-    const SupportPlane& support = (*supports_)[sums.support];
-    for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
-      sums.leaks += leaks (run, i);
-      const float height = heightAbove (support, i);
-      sums.clear +=
-          height >= parameters_.min_object_height &&
-          !isWithinNoise (
-              points_[i], support.plane, height, clear_sigmas, parameters_.noise);
-    }
+    sums.clear += clearPoints (run, (*supports_)[sums.support]);
+    sums.leaks += leaks (run);
   }
 }
 
-/** Whether a point of a run hangs together with one outside. */
-bool
-ObjectClusters::leaks (const Run& run, std::uint32_t i) const
+std::size_t
+ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  const auto leaksTo = [&] (std::uint32_t j) {
-    return place_[j] == outside &&
-           linkLimit (parameters_, pixel_angle_).allows (points_[i], points_[j]);
-  };
-  return (i == run.first && i % width > 0 && leaksTo (i - 1)) ||
-         (i + 1 == run.first + run.length && (i + 1) % width > 0 && leaksTo (i + 1)) ||
-         (i >= width && leaksTo (i - width)) ||
-         (i + width < points_.size() && leaksTo (i + width));
+  const float* warp = support.warp.row (static_cast<int> (run.first / width));
+  std::size_t count = 0;
+  for (std::uint32_t k = 0, u = run.first % width; k < run.length; ++k, ++u) {
+    const float* p = points_[run.first + k];
+    const float height = support.plane.distance (p) - warp[u / PointRow::block_size];
+    count += height >= parameters_.min_object_height &&
+             !isWithinNoise (p, support.plane, height, clear_sigmas, parameters_.noise);
+  }
+  return count;
+}
+
+std::size_t
+ObjectClusters::leaks (const Run& run) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const LinkLimit limit = linkLimit (parameters_, pixel_angle_);
+  const std::uint32_t u = run.first % width, last = run.first + run.length - 1;
+  const bool has_above = run.first >= width,
+             has_below = last + width<points_.size(), has_left = u> 0,
+             has_right = u + run.length < width;
+  std::size_t count = 0;
+  for (std::uint32_t i = run.first; i <= last; ++i) {
+    const auto leaksTo = [&] (std::uint32_t j) {
+      return place_[j] == outside && limit.allows (points_[i], points_[j]);
+    };
+    count += (has_above && leaksTo (i - width)) || (has_below && leaksTo (i + width)) ||
+             (i == run.first && has_left && leaksTo (i - 1)) ||
+             (i == last && has_right && leaksTo (i + 1));
+  }
+  return count;
 }
 
 bool

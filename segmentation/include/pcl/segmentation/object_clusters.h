@@ -92,8 +92,11 @@ private:
   void
   sumUp ();
 
-  bool
-  leaks (const Run& run, std::uint32_t i) const;
+  std::size_t
+  clearPoints (const Run& run, const SupportPlane& support) const;
+
+  std::size_t
+  leaks (const Run& run) const;
 
   bool
   isObject (const Sums& sums) const;

@@ -24,7 +24,7 @@ class PCL_RGBD_PLANES_EXPORTS PlaneJoining {
 public:
   /** \brief Joins \a parts, or leaves each a plane of its own. */
   void
-  compute (const std::vector<PlaneMoments>& parts, bool join = true);
+  compute (const std::vector<PlaneMoments>& parts, bool join);
 
   /** \brief The planes. */
   const std::vector<PlaneMoments>&
