@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
 #include "row_vectors-inl.h"
+#include <hwy/cache_control.h>
 
 #include <limits>
 
@@ -32,15 +33,17 @@ sumOfNormals (const Candidates<number>& candidates,
 {
   const V zero = hn::Zero (Floats());
   const Vectors scaled = p * reach;
+  // The rows have the same one, which takes fewer registers.
+  const std::size_t stride = candidates[0].stride();
   Vectors sum{zero, zero, zero};
 #pragma GCC unroll 9
   for (std::size_t k = 0; k < number; ++k) {
-    PlaneRow planes = candidates[k];
-    const Vectors n = load (planes, plane_x, at);
-    const V deviation =
-        hn::NegMulAdd (load (planes[plane_distance] + at), reach, dot (n, scaled));
+    const float* x = candidates[k][plane_x] + at;
+    const float* distance = x + plane_distance * stride;
+    const Vectors n = {load (x), load (x + stride), load (x + 2 * stride)};
+    const V deviation = hn::NegMulAdd (load (distance), reach, dot (n, scaled));
     const V root = hn::Max (hn::NegMulAdd (deviation, deviation, set (1.f)), zero);
-    const V weight = hn::Mul (load (planes[plane_weight] + at), hn::Mul (root, root));
+    const V weight = hn::Mul (load (distance + stride), hn::Mul (root, root));
     sum = {hn::MulAdd (n.x, weight, sum.x),
            hn::MulAdd (n.y, weight, sum.y),
            hn::MulAdd (n.z, weight, sum.z)};
@@ -62,19 +65,97 @@ curvatureOf (V weight)
       hn::Gt (weight, hn::Zero (Floats())), limited, set (1.f / 3.f));
 }
 
-/** Writes normals, NaN where there is none. \return how many are not NaN */
-HWY_INLINE std::size_t
-writeValid (Mask is_valid, const Vectors& n, V curvature, float* normals)
+/** Normals and curvatures of pixels, NaN where there is none. */
+struct NormalVectors {
+  Vectors n;
+  V curvature;
+};
+
+HWY_INLINE NormalVectors
+onlyValid (Mask is_valid, const Vectors& n, V curvature)
+{
+  const V nan = set (std::numeric_limits<float>::quiet_NaN());
+  return {choose (is_valid, n, {nan, nan, nan}),
+          hn::IfThenElse (is_valid, curvature, nan)};
+}
+
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE void
+spread (const NormalVectors& normals, float* to, std::size_t)
+{
+  const V zero = hn::Zero (Floats());
+  hn::StoreInterleaved4 (normals.n.x, normals.n.y, normals.n.z, zero, Floats(), to);
+  hn::StoreInterleaved4 (normals.curvature, zero, zero, zero, Floats(), to + 4);
+}
+
+HWY_INLINE void
+spreadPairs (const NormalVectors& first, const NormalVectors& second, float* to)
+{
+  spread (first, to, 0);
+  spread (second, to + normal_floats, 0);
+}
+#else
+/** Lanes \a first and following of: three floats of a normal, 0, its curvature, and 0 three
+ * times; of quads of a normal and a curvature. */
+HWY_INLINE V
+spreadQuads (V quads, std::int32_t first)
+{
+  constexpr Ints d;
+  const I lane = hn::Iota (d, first);
+  const I in_normal = hn::And (lane, hn::Set (d, 7));
+  const I of_quad = hn::Add (hn::ShiftLeft<2> (hn::ShiftRight<3> (lane)),
+                             hn::Min (in_normal, hn::Set (d, 3)));
+  const auto is_used =
+      hn::Or (hn::Lt (in_normal, hn::Set (d, 3)), hn::Eq (in_normal, hn::Set (d, 4)));
+  return hn::IfThenElseZero (
+      hn::RebindMask (Floats(), is_used),
+      hn::TableLookupLanes (quads, hn::IndicesFromVec (Floats(), of_quad)));
+}
+
+/** Writes every four normals \a stride floats behind those before. */
+HWY_INLINE void
+spread (const NormalVectors& normals, float* to, std::size_t stride)
 {
   constexpr Floats d;
-  const V nan = set (std::numeric_limits<float>::quiet_NaN());
-  hn::StoreInterleaved4 (hn::IfThenElse (is_valid, n.x, nan),
-                         hn::IfThenElse (is_valid, n.y, nan),
-                         hn::IfThenElse (is_valid, n.z, nan),
-                         hn::IfThenElse (is_valid, curvature, nan),
-                         d,
-                         normals);
-  return hn::CountTrue (d, is_valid);
+  constexpr std::size_t lanes = hn::MaxLanes (d);
+  HWY_ALIGN float quads[4 * lanes];
+  hn::StoreInterleaved4 (
+      normals.n.x, normals.n.y, normals.n.z, normals.curvature, d, quads);
+  for (std::size_t i = 0; i < 4 * lanes; i += lanes) {
+    const V vector = hn::Load (d, quads + i);
+    float* here = to + i / 16 * stride + i % 16 * 2;
+    store (spreadQuads (vector, 0), here);
+    store (spreadQuads (vector, lanes), here + lanes);
+  }
+}
+
+HWY_INLINE void
+spreadPairs (const NormalVectors& first, const NormalVectors& second, float* to)
+{
+  constexpr Floats d;
+  const auto& [n, curvature] = first;
+  const auto& [m, other_curvature] = second;
+  spread ({{hn::InterleaveLower (d, n.x, m.x),
+            hn::InterleaveLower (d, n.y, m.y),
+            hn::InterleaveLower (d, n.z, m.z)},
+           hn::InterleaveLower (d, curvature, other_curvature)},
+          to,
+          8 * normal_floats);
+  spread ({{hn::InterleaveUpper (d, n.x, m.x),
+            hn::InterleaveUpper (d, n.y, m.y),
+            hn::InterleaveUpper (d, n.z, m.z)},
+           hn::InterleaveUpper (d, curvature, other_curvature)},
+          to + 4 * normal_floats,
+          8 * normal_floats);
+}
+#endif
+
+/** Begins to fetch where normals of the next row go. */
+HWY_INLINE void
+prefetch (const float* first, std::size_t number)
+{
+  for (std::size_t line = 0; line < number * normal_floats; line += 16)
+    hwy::Prefetch (first + line);
 }
 
 std::size_t
@@ -84,11 +165,14 @@ writeCellNormalsOf (std::size_t cells, PlaneRow planes, float* normals)
   std::size_t valid = 0;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
+    float* here = normals + normal_floats * at;
+    prefetch (here + normal_floats * cells, hn::Lanes (d));
     const Vectors n = load (planes, plane_x, i);
-    valid += writeValid (isPlane (n),
-                         n,
-                         curvatureOf (load (planes[plane_weight] + i)),
-                         normals + 4 * at);
+    const Mask is_valid = isPlane (n);
+    spread (onlyValid (is_valid, n, curvatureOf (load (planes[plane_weight] + i))),
+            here,
+            4 * normal_floats);
+    valid += hn::CountTrue (d, is_valid);
   }
   return valid;
 }
@@ -99,15 +183,18 @@ writePixelNormalsOf (const float* points,
                      const SensorModel& sensor,
                      PlaneRow planes,
                      const Candidates<9>* candidates,
-                     const NormalRows& normals)
+                     float* normals)
 {
   constexpr Floats d;
   std::size_t valid = 0;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
+    float* here = normals + 2 * normal_floats * at;
+    prefetch (here + 2 * normal_floats * cells, 2 * hn::Lanes (d));
     const Vectors own = load (planes, plane_x, i);
     const V distance = load (planes[plane_distance] + i);
     const V curvature = curvatureOf (load (planes[plane_weight] + i));
+    NormalVectors pair[2];
     usePoints<2> (
         points + 8 * at, sensor, [&] (std::size_t k, const Points& point) HWY_ATTR {
           Vectors n = own;
@@ -123,9 +210,11 @@ writePixelNormalsOf (const float* points,
                 hn::And (lies_off, hn::Gt (squared_length, set (min_squared_sum)));
             n = choose (is_mean, sum * reciprocalSqrt (squared_length), n);
           }
-          valid += writeValid (
-              hn::And (point.measured, isPlane (n)), n, curvature, normals[k] + 4 * at);
+          const Mask is_valid = hn::And (point.measured, isPlane (n));
+          pair[k] = onlyValid (is_valid, n, curvature);
+          valid += hn::CountTrue (d, is_valid);
         });
+    spreadPairs (pair[0], pair[1], here);
   }
   return valid;
 }
@@ -172,10 +261,10 @@ writeNormalsHere (const float* points,
                   const SensorModel& sensor,
                   PlaneRow planes,
                   const Candidates<9>* candidates,
-                  const NormalRows& normals)
+                  float* normals)
 {
   if (step == 1)
-    return writeCellNormalsOf (cells, planes, normals[0]);
+    return writeCellNormalsOf (cells, planes, normals);
   return writePixelNormalsOf (points, cells, sensor, planes, candidates, normals);
 }
 
@@ -207,7 +296,7 @@ writeNormals (const float* points,
               const SensorModel& sensor,
               PlaneRow planes,
               const Candidates<9>* candidates,
-              const NormalRows& normals)
+              float* normals)
 {
   return HWY_DYNAMIC_DISPATCH (writeNormalsHere) (
       points, cells, step, sensor, planes, candidates, normals);
