@@ -23,34 +23,31 @@ struct WindowSums {
   Vectors all, right_half, lower_half;
 };
 
-/** From those of the columns to the left, of the rows above: rows \a top, \a middle and
- * \a below, columns \a left, \a middle_column and \a right. */
+/** From those of the columns to the left of columns \a left, \a center and \a right. */
 HWY_INLINE WindowSums
 sumWindow (const WindowRows& rows,
-           TangentRow below,
+           TangentRow rows_below,
            std::size_t first,
            std::ptrdiff_t left,
-           std::ptrdiff_t middle_column,
+           std::ptrdiff_t center,
            std::ptrdiff_t right)
 {
   constexpr Ints d;
   V all[3], right_half[3], lower_half[3];
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto strip =
-        [=] (const std::int32_t* under, const std::int32_t* above)
-            HWY_ATTR { return hn::Sub (hn::LoadU (d, under), hn::LoadU (d, above)); };
-    const auto between = [=] (I from, I to) HWY_ATTR {
-      return hn::ConvertTo (Floats(), hn::Sub (to, from));
-    };
     const std::int32_t* top = rows.top[first + c];
     const std::int32_t* middle = rows.middle[first + c];
-    const std::int32_t* bottom = below[first + c];
-    const I whole = strip (bottom + right, top + right);
-    all[c] = between (strip (bottom + left, top + left), whole);
-    right_half[c] =
-        between (strip (bottom + middle_column, top + middle_column), whole);
-    lower_half[c] = between (strip (bottom + left, middle + left),
-                             strip (bottom + right, middle + right));
+    const std::int32_t* below = rows_below[first + c];
+    const auto toRight = [=] (const std::int32_t* row, std::ptrdiff_t from) HWY_ATTR {
+      return hn::Sub (hn::LoadU (d, row + right), hn::LoadU (d, row + from));
+    };
+    const auto between = [=] (I above, I under) HWY_ATTR {
+      return hn::ConvertTo (Floats(), hn::Sub (under, above));
+    };
+    const I whole = toRight (below, left);
+    all[c] = between (toRight (top, left), whole);
+    lower_half[c] = between (toRight (middle, left), whole);
+    right_half[c] = between (toRight (top, center), toRight (below, center));
   }
   return {{all[0], all[1], all[2]},
           {right_half[0], right_half[1], right_half[2]},

@@ -51,8 +51,8 @@ struct NormalOutput {
   float* normal = nullptr;
   float* curvature = nullptr;
   std::size_t stride = 0;
-  /** Whether the normals are eight floats each, as pcl::Normal: three of the normal, one that
-   * is to be 0, the curvature and three that are to be 0. */
+  /** Whether normals are eight floats each, as pcl::Normal: three of the normal, one that may
+   * be set to 0, the curvature, and three that may be set to 0. */
   bool padded = false;
 };
 
