@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "tangent_rows.h"
+#include <hwy/cache_control.h>
 
 #include <pcl/features/tangent_normals.h>
 #include <pcl/features/tangent_row_pipeline.h>
@@ -33,9 +34,11 @@ TangentRowPipeline::write (int v, const NormalOutput& output)
                               below.shifted (-du),
                               below.shifted (du)}};
   const bool in_place = output.padded && points_.width == padded_width_ * grid_.step;
-  const std::size_t begin = static_cast<std::size_t> (v) *
-                            static_cast<std::size_t> (points_.width) * output.stride;
-  float* normals = in_place ? output.normal + begin : normals_[0][0];
+  float* normals = in_place
+                       ? output.normal + static_cast<std::size_t> (v) *
+                                             static_cast<std::size_t> (points_.width) *
+                                             normal_floats
+                       : normals_[0][0];
   std::size_t valid = writeNormals (grid_.step > 1 ? pointsOf (v) : nullptr,
                                     static_cast<std::size_t> (padded_width_),
                                     grid_.step,
@@ -46,18 +49,30 @@ TangentRowPipeline::write (int v, const NormalOutput& output)
   if (parameters_->ignore_border)
     valid -= blankBorder (y, normals);
 
-  if (!in_place) {
-    float* normal = output.normal + begin;
-    float* curvature = output.curvature + begin;
-    for (int u = 0; u < points_.width; ++u) {
-      std::memcpy (normal, normals, 3 * sizeof (float));
-      *curvature = normals[4];
-      normal += output.stride;
-      curvature += output.stride;
-      normals += normal_floats;
-    }
-  }
+  if (!in_place)
+    copyNormals (normals, v, output);
   return valid;
+}
+
+/** Copies the normals of a row of pixels to where they go, and begins to fetch where the next
+ * ones go. */
+void
+TangentRowPipeline::copyNormals (const float* normals,
+                                 int v,
+                                 const NormalOutput& output)
+{
+  const auto width = static_cast<std::size_t> (points_.width);
+  const std::size_t stride = output.stride, row = width * stride;
+  float* normal = output.normal + static_cast<std::size_t> (v) * row;
+  float* curvature = output.curvature + static_cast<std::size_t> (v) * row;
+  for (std::size_t u = 0; u < width; ++u) {
+    hwy::Prefetch (normal + row);
+    std::memcpy (normal, normals, 3 * sizeof (float));
+    *curvature = normals[4];
+    normals += normal_floats;
+    normal += stride;
+    curvature += stride;
+  }
 }
 
 /** Removes the normals of the cells in row \a y whose area leaves the image.

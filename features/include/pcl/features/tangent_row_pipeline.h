@@ -97,6 +97,9 @@ private:
   std::size_t
   write (int v, const NormalOutput& output);
 
+  void
+  copyNormals (const float* normals, int v, const NormalOutput& output);
+
   std::size_t
   blankBorder (int y, float* normals);
 
