@@ -6,9 +6,9 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
+#include "normal_vectors-inl.h"
 #include "row_vectors-inl.h"
-
-#include <limits>
+#include <hwy/cache_control.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -32,15 +32,17 @@ sumOfNormals (const Candidates<number>& candidates,
 {
   const V zero = hn::Zero (Floats());
   const Vectors scaled = p * reach;
+  // The rows have the same one, which takes fewer registers.
+  const std::size_t stride = candidates[0].stride();
   Vectors sum{zero, zero, zero};
 #pragma GCC unroll 9
   for (std::size_t k = 0; k < number; ++k) {
-    PlaneRow planes = candidates[k];
-    const Vectors n = load (planes, plane_x, at);
-    const V deviation =
-        hn::NegMulAdd (load (planes[plane_distance] + at), reach, dot (n, scaled));
+    const float* x = candidates[k][plane_x] + at;
+    const float* distance = x + plane_distance * stride;
+    const Vectors n = {load (x), load (x + stride), load (x + 2 * stride)};
+    const V deviation = hn::NegMulAdd (load (distance), reach, dot (n, scaled));
     const V root = hn::Max (hn::NegMulAdd (deviation, deviation, set (1.f)), zero);
-    const V weight = hn::Mul (load (planes[plane_weight] + at), hn::Mul (root, root));
+    const V weight = hn::Mul (load (distance + stride), hn::Mul (root, root));
     sum = {hn::MulAdd (n.x, weight, sum.x),
            hn::MulAdd (n.y, weight, sum.y),
            hn::MulAdd (n.z, weight, sum.z)};
@@ -62,19 +64,12 @@ curvatureOf (V weight)
       hn::Gt (weight, hn::Zero (Floats())), limited, set (1.f / 3.f));
 }
 
-/** Writes normals, NaN where there is none. \return how many are not NaN */
-HWY_INLINE std::size_t
-writeValid (Mask is_valid, const Vectors& n, V curvature, float* normals)
+/** Begins to fetch where normals of the next row go. */
+HWY_INLINE void
+prefetch (const float* first, std::size_t number)
 {
-  constexpr Floats d;
-  const V nan = set (std::numeric_limits<float>::quiet_NaN());
-  hn::StoreInterleaved4 (hn::IfThenElse (is_valid, n.x, nan),
-                         hn::IfThenElse (is_valid, n.y, nan),
-                         hn::IfThenElse (is_valid, n.z, nan),
-                         hn::IfThenElse (is_valid, curvature, nan),
-                         d,
-                         normals);
-  return hn::CountTrue (d, is_valid);
+  for (std::size_t line = 0; line < number * normal_floats; line += 16)
+    hwy::Prefetch (first + line);
 }
 
 std::size_t
@@ -84,11 +79,14 @@ writeCellNormalsOf (std::size_t cells, PlaneRow planes, float* normals)
   std::size_t valid = 0;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
+    float* here = normals + normal_floats * at;
+    prefetch (here + normal_floats * cells, hn::Lanes (d));
     const Vectors n = load (planes, plane_x, i);
-    valid += writeValid (isPlane (n),
-                         n,
-                         curvatureOf (load (planes[plane_weight] + i)),
-                         normals + 4 * at);
+    const Mask is_valid = isPlane (n);
+    spread (onlyValid (is_valid, n, curvatureOf (load (planes[plane_weight] + i))),
+            here,
+            4 * normal_floats);
+    valid += hn::CountTrue (d, is_valid);
   }
   return valid;
 }
@@ -99,15 +97,18 @@ writePixelNormalsOf (const float* points,
                      const SensorModel& sensor,
                      PlaneRow planes,
                      const Candidates<9>* candidates,
-                     const NormalRows& normals)
+                     float* normals)
 {
   constexpr Floats d;
   std::size_t valid = 0;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
+    float* here = normals + 2 * normal_floats * at;
+    prefetch (here + 2 * normal_floats * cells, 2 * hn::Lanes (d));
     const Vectors own = load (planes, plane_x, i);
     const V distance = load (planes[plane_distance] + i);
     const V curvature = curvatureOf (load (planes[plane_weight] + i));
+    NormalVectors pair[2];
     usePoints<2> (
         points + 8 * at, sensor, [&] (std::size_t k, const Points& point) HWY_ATTR {
           Vectors n = own;
@@ -123,9 +124,11 @@ writePixelNormalsOf (const float* points,
                 hn::And (lies_off, hn::Gt (squared_length, set (min_squared_sum)));
             n = choose (is_mean, sum * reciprocalSqrt (squared_length), n);
           }
-          valid += writeValid (
-              hn::And (point.measured, isPlane (n)), n, curvature, normals[k] + 4 * at);
+          const Mask is_valid = hn::And (point.measured, isPlane (n));
+          pair[k] = onlyValid (is_valid, n, curvature);
+          valid += hn::CountTrue (d, is_valid);
         });
+    spreadPairs (pair[0], pair[1], here);
   }
   return valid;
 }
@@ -172,10 +175,10 @@ writeNormalsHere (const float* points,
                   const SensorModel& sensor,
                   PlaneRow planes,
                   const Candidates<9>* candidates,
-                  const NormalRows& normals)
+                  float* normals)
 {
   if (step == 1)
-    return writeCellNormalsOf (cells, planes, normals[0]);
+    return writeCellNormalsOf (cells, planes, normals);
   return writePixelNormalsOf (points, cells, sensor, planes, candidates, normals);
 }
 
@@ -207,7 +210,7 @@ writeNormals (const float* points,
               const SensorModel& sensor,
               PlaneRow planes,
               const Candidates<9>* candidates,
-              const NormalRows& normals)
+              float* normals)
 {
   return HWY_DYNAMIC_DISPATCH (writeNormalsHere) (
       points, cells, step, sensor, planes, candidates, normals);

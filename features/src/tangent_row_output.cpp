@@ -33,48 +33,52 @@ TangentRowPipeline::write (int v, const NormalOutput& output)
                               below,
                               below.shifted (-du),
                               below.shifted (du)}};
-  const ChannelRow<float> normals = normals_[0];
+  const bool in_place = output.padded && points_.width == padded_width_ * grid_.step;
+  float* normals = in_place
+                       ? output.normal + static_cast<std::size_t> (v) *
+                                             static_cast<std::size_t> (points_.width) *
+                                             normal_floats
+                       : normals_[0][0];
   std::size_t valid = writeNormals (grid_.step > 1 ? pointsOf (v) : nullptr,
                                     static_cast<std::size_t> (padded_width_),
                                     grid_.step,
                                     sensor(),
                                     own,
                                     rowsAround() > 0 ? &around : nullptr,
-                                    {{normals[0], normals[1]}});
+                                    normals);
   if (parameters_->ignore_border)
-    valid -= blankBorder (y);
+    valid -= blankBorder (y, normals);
 
-  copyNormals (v, output);
+  if (!in_place)
+    copyNormals (normals, v, output);
   return valid;
 }
 
-/** Copies the normals of row \a v of pixels to where they go, and begins to fetch where the
- * next ones go. */
+/** Copies the normals of a row of pixels to where they go, and begins to fetch where the next
+ * ones go. */
 void
-TangentRowPipeline::copyNormals (int v, const NormalOutput& output)
+TangentRowPipeline::copyNormals (const float* normals,
+                                 int v,
+                                 const NormalOutput& output)
 {
-  const auto step = static_cast<std::size_t> (grid_.step);
   const auto width = static_cast<std::size_t> (points_.width);
-  const std::size_t begin = static_cast<std::size_t> (v) * width * output.stride;
-  for (std::size_t k = 0; k < step; ++k) {
-    const float* from = normals_[0][k];
-    float* normal = output.normal + begin + k * output.stride;
-    float* curvature = output.curvature + begin + k * output.stride;
-    for (std::size_t u = k; u < width; u += step) {
-      hwy::Prefetch (normal + step * width * output.stride);
-      std::memcpy (normal, from, 3 * sizeof (float));
-      *curvature = from[3];
-      from += 4;
-      normal += step * output.stride;
-      curvature += step * output.stride;
-    }
+  const std::size_t stride = output.stride, row = width * stride;
+  float* normal = output.normal + static_cast<std::size_t> (v) * row;
+  float* curvature = output.curvature + static_cast<std::size_t> (v) * row;
+  for (std::size_t u = 0; u < width; ++u) {
+    hwy::Prefetch (normal + row);
+    std::memcpy (normal, normals, 3 * sizeof (float));
+    *curvature = normals[4];
+    normals += normal_floats;
+    normal += stride;
+    curvature += stride;
   }
 }
 
 /** Removes the normals of the cells in row \a y whose area leaves the image.
  * \return how many there were */
 std::size_t
-TangentRowPipeline::blankBorder (int y)
+TangentRowPipeline::blankBorder (int y, float* normals)
 {
   const auto& area = grid_.areas[0];
   const bool whole_row = y < area.half_height || y + area.half_height >= grid_.height;
@@ -82,9 +86,11 @@ TangentRowPipeline::blankBorder (int y)
   for (int x = 0; x < grid_.width; ++x)
     if (whole_row || x < area.half_width || x + area.half_width >= grid_.width)
       for (int k = 0; k < grid_.step && x * grid_.step + k < points_.width; ++k) {
-        float* normal = normals_[0][static_cast<std::size_t> (k)] + 4 * x;
+        float* normal =
+            normals + normal_floats * static_cast<std::size_t> (x * grid_.step + k);
         removed += !std::isnan (normal[0]);
-        std::fill_n (normal, 4, std::numeric_limits<float>::quiet_NaN());
+        std::fill_n (normal, 3, std::numeric_limits<float>::quiet_NaN());
+        normal[4] = std::numeric_limits<float>::quiet_NaN();
       }
   return removed;
 }

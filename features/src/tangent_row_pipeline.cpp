@@ -91,8 +91,11 @@ TangentRowPipeline::start (int begin)
   const int ahead = plane_stages * shift_v + largest.half_height;
   margin_ = RowRing<float>::roundUp (largest.half_width + 1);
   staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
-  pixels_.reset (
-      grid_.step + 1, grid_.step * pixel_channels, padded_width_, 1, infinity);
+  pixels_.reset (grid_.step == 1 ? ahead + 2 : grid_.step + 1,
+                 grid_.step * pixel_channels,
+                 padded_width_,
+                 1,
+                 infinity);
   no_pixels_.reset (1, grid_.step * pixel_channels, padded_width_, 1, infinity);
   tangents_.reset (
       2 * largest.half_height + 2, tangent_channels, padded_width_, margin_ + lanes, 0);
@@ -100,10 +103,9 @@ TangentRowPipeline::start (int begin)
   for (auto& planes : planes_)
     planes.reset (2 * shift_v + 1, plane_channels, padded_width_, shift_u, 0.f);
   no_planes_.reset (1, plane_channels, padded_width_, shift_u, 0.f);
-  strips_.reset (2, tangent_channels, padded_width_, margin_ + lanes, 0);
-  inverse_lengths_.reset (1, 2, padded_width_, 0, 0.f);
   larger_.reset (1, plane_channels, padded_width_, 0, 0.f);
-  normals_.reset (1, 2, 4 * padded_width_, 0, 0.f);
+  normals_.reset (
+      1, 1, static_cast<int> (normal_floats) * grid_.step * padded_width_, 0, 0.f);
 
   const int before_second = begin - rowsAround();
   const int before_first = before_second - grid_.straight.v;
@@ -112,6 +114,7 @@ TangentRowPipeline::start (int begin)
                    std::max (before_second, 0)}};
   next_sum_ = std::max (next_planes_[0] - largest.half_height, 0);
   next_pixels_ = next_sum_ * grid_.step;
+  tangents_.fill (next_sum_, 0);
 }
 
 /** The points of a row of pixels, four floats each, and points that are missing up to
@@ -131,6 +134,7 @@ TangentRowPipeline::pointsOf (int v)
     std::memcpy (staged + 4 * u,
                  row + static_cast<std::size_t> (u) * points_.stride,
                  3 * sizeof (float));
+  std::fill (staged + 4 * points_.width, staged + 4 * grid_.step * padded_width_, nan);
   return staged;
 }
 
@@ -178,16 +182,11 @@ TangentRowPipeline::fitRow (int y)
                             tangents_[below],
                             area.half_width};
     const PlaneRow fitted = i == 0 ? planes : larger_[0];
-    fitPlanes (window,
-               cells,
-               static_cast<std::size_t> (margin_),
-               cells_[y],
-               {strips_[0], strips_[1], inverse_lengths_[0]},
-               fitted);
+    fitPlanes (window, cells, cellsOf (y), fitted);
     if (i > 0)
       chooseLarger (parameters_->scale_selection ? 0.f : area.min_range,
                     cells,
-                    cells_[y],
+                    cellsOf (y),
                     fitted,
                     planes);
   }
@@ -215,7 +214,7 @@ TangentRowPipeline::averageRow (int stage, int y)
           : Candidates<5>{{own, above, own.shifted (-du), own.shifted (du), below}};
   averagePlanes (around,
                  static_cast<std::size_t> (padded_width_),
-                 cells_[y],
+                 cellsOf (y),
                  planes_[static_cast<std::size_t> (stage)][y]);
 }
 
@@ -229,6 +228,13 @@ TangentRowPipeline::planesUpTo (int stage, int last)
       fitRow (next);
     else
       averageRow (stage, next);
+}
+
+/** Row \a y of the cells, which may be pixels. */
+ChannelRow<float>
+TangentRowPipeline::cellsOf (int y)
+{
+  return grid_.step == 1 ? pixels_[y] : cells_[y];
 }
 
 /** The planes of row \a y of cells, or none outside of the image. */

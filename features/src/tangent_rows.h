@@ -17,20 +17,13 @@ namespace rgbd_planes {
 // (step 2); step pixels of a row of pixels belong to each of its cells. All points are
 // relative to the viewpoint.
 
-/** The channels of a row of pixels, five for each pixel of a cell: coordinates, range
- * (infinite where the point is missing), gate. */
-enum PixelChannel {
-  pixel_x,
-  pixel_y,
-  pixel_z,
-  pixel_range,
-  pixel_gate,
-  pixel_channels
-};
-
 /** The channels of a row of cells: one of its points, the reciprocal of the distance
  * from it at which planes no longer count (0: the cell has no point). */
 enum CellChannel { cell_x, cell_y, cell_z, cell_reach, cell_channels };
+
+/** The channels of a row of pixels, five for each pixel of a cell: those of a cell, and the
+ * range (infinite where the point is missing). */
+enum PixelChannel { pixel_range = cell_channels, pixel_channels };
 
 /** The channels of the planes of a row of cells: n * p = distance, and how much a plane
  * counts, from its window's bend; all are 0 where there is none. */
@@ -84,11 +77,10 @@ loadPixels (const float* points,
             const SensorModel& sensor,
             PixelRow pixels);
 
-/** \brief Chooses the point of each cell, and continues the integral images of the
- * tangents by one row. \a pixels: the step rows of the cells and the next one. The sums
- * of a cell are relative to its range, or to the longest of them if that is more, and counted
- * in units of 1 / \a units. \a margin
- * elements behind the row are set, too. */
+/** \brief Continues the integral images of the tangents by one row, and chooses the point of
+ * each cell of several pixels. \a pixels: the step rows of the cells and the next one. The
+ * sums of a cell are relative to its range, or to the longer of them if that is more, and counted
+ * in units of 1 / \a units. \a margin elements behind the row are set, too. */
 void
 sumTangents (const PixelRow* pixels,
              std::size_t cells,
@@ -100,22 +92,9 @@ sumTangents (const PixelRow* pixels,
              TangentRow integral,
              CellRow points);
 
-/** Room for what fitPlanes computes on the way: the sums of the rows of a window and of
- * their lower half, and the reciprocal squared lengths of both sums of tangents. */
-struct FitBuffers {
-  TangentRow whole;
-  TangentRow lower_half;
-  ChannelRow<float> inverse_lengths;
-};
-
 /** \brief The plane of the window around each cell, through the point of the cell. */
 void
-fitPlanes (WindowRows window,
-           std::size_t cells,
-           std::size_t margin,
-           CellRow points,
-           FitBuffers buffers,
-           PlaneRow planes);
+fitPlanes (WindowRows window, std::size_t cells, CellRow points, PlaneRow planes);
 
 /** \brief Puts those of \a larger windows in the place of planes that are less likely, or, if
  * \a min_range is not 0, of those of points this far away. */
@@ -133,9 +112,9 @@ averagePlanes (Candidates<5> candidates,
                CellRow points,
                PlaneRow planes);
 
-/** Where the normals of the first and of the second pixels of the cells go: nx, ny, nz and
- * curvature of each; NaN where there is none. */
-using NormalRows = std::array<float*, 2>;
+/** The normal of a pixel as it is written: nx, ny, nz, 0, curvature, 0, 0, 0, as in
+ * pcl::Normal; NaN where there is none. */
+constexpr std::size_t normal_floats = 8;
 
 /** \brief Gives each point of a row of pixels the normal of its cell's plane, or, if it
  * does not lie on that and \a candidates is not null, of the planes around.
@@ -147,7 +126,7 @@ writeNormals (const float* points,
               const SensorModel& sensor,
               PlaneRow planes,
               const Candidates<9>* candidates,
-              const NormalRows& normals);
+              float* normals);
 
 } // namespace rgbd_planes
 } // namespace pcl

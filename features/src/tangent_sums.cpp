@@ -11,6 +11,7 @@
 #include <hwy/cache_control.h>
 
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -37,108 +38,111 @@ loadPixelsOf (const float* points,
     const float* next = points + 4 * step * (cells + i);
     for (std::size_t line = 0; line < 4 * step * hn::Lanes (Floats()); line += 16)
       hwy::Prefetch (next + line);
-    usePoints<step> (
-        points + 4 * step * i,
-        sensor,
-        [=, &sensor] (std::size_t k, const Points& loaded) HWY_ATTR {
-          const std::size_t channel = k * pixel_channels;
-          store (loaded.p, pixels, channel + pixel_x, i);
-          store (hn::IfThenElse (
-                     loaded.measured, hn::Sqrt (loaded.squared_range), infinite),
-                 pixels[channel + pixel_range] + i);
-          store (hn::Mul (set (gate_sigmas), sigma (sensor, loaded.squared_range)),
-                 pixels[channel + pixel_gate] + i);
-        });
+    usePoints<step> (points + 4 * step * i,
+                     sensor,
+                     [=, &sensor] (std::size_t k, const Points& loaded) HWY_ATTR {
+                       const std::size_t channel = k * pixel_channels;
+                       store (loaded.p, pixels, channel + cell_x, i);
+                       const V reach = reciprocal (hn::Mul (
+                           set (reach_sigmas), sigma (sensor, loaded.squared_range)));
+                       store (hn::IfThenElseZero (loaded.measured, reach),
+                              pixels[channel + cell_reach] + i);
+                       store (hn::IfThenElse (loaded.measured,
+                                              hn::Sqrt (loaded.squared_range),
+                                              infinite),
+                              pixels[channel + pixel_range] + i);
+                     });
   }
 }
 
 struct Pixels {
   Vectors p;
   V range;
-  V gate;
 };
 
 HWY_INLINE Mask
-isMeasured (const Pixels& pixels)
+isMeasured (V range)
 {
-  return hn::Lt (pixels.range, set (std::numeric_limits<float>::infinity()));
+  return hn::Lt (range, set (std::numeric_limits<float>::infinity()));
 }
 
 HWY_INLINE Pixels
 loadPixel (PixelRow row, std::size_t first, std::size_t at)
 {
-  return {load (row, first + pixel_x, static_cast<std::ptrdiff_t> (at)),
-          load (row[first + pixel_range] + at),
-          load (row[first + pixel_gate] + at)};
+  return {load (row, first + cell_x, static_cast<std::ptrdiff_t> (at)),
+          load (row[first + pixel_range] + at)};
 }
 
 /** From points to their neighbours; zero where they lie on different surfaces. */
 HWY_INLINE Vectors
-tangents (const Pixels& from, const Pixels& to, V max_change)
+tangents (const Pixels& from, const Pixels& to, const SensorModel& sensor)
 {
   const Vectors tangent = to.p - from.p;
   const V change = hn::Sub (to.range, from.range);
-  const V gate = hn::Min (from.gate, to.gate);
+  const V nearer = hn::Min (from.range, to.range);
+  const V gate = hn::Mul (set (gate_sigmas), sigma (sensor, hn::Mul (nearer, nearer)));
   constexpr float slope = gate_slope * gate_slope;
   // Also false where a range is infinite.
   const Mask near =
       hn::Lt (hn::Mul (set (1.f + slope), hn::Mul (change, change)),
               hn::MulAdd (set (slope), dot (tangent, tangent), hn::Mul (gate, gate)));
+  const V max_change = set (2.f * sensor.max_depth_change_factor);
   const V limit = hn::MulAdd (max_change, from.range, max_change);
   return onlyWhere (hn::And (near, hn::Le (hn::Abs (change), limit)), tangent);
 }
 
+/** The sums of horizontal and of vertical tangents. */
 struct CellSums {
-  Pixels point;
-  Vectors horizontal;
-  Vectors vertical;
+  Vectors horizontal, vertical;
 };
 
-/** The tangents that begin in the pixels of the cells, and a point of each. */
 template <int step>
 HWY_INLINE CellSums
-cellSums (const PixelRow* pixels, std::size_t at, V max_change)
+cellSums (const PixelRow* pixels, std::size_t at, const SensorModel& sensor)
 {
-  const auto link = [=] (const Pixels& from, const Pixels& to)
-                        HWY_ATTR { return tangents (from, to, max_change); };
+  const auto link = [&] (const Pixels& from, const Pixels& to)
+                        HWY_ATTR { return tangents (from, to, sensor); };
   const Pixels first = loadPixel (pixels[0], 0, at);
   if constexpr (step == 1)
-    return {first,
-            link (first, loadPixel (pixels[0], 0, at + 1)),
+    return {link (first, loadPixel (pixels[0], 0, at + 1)),
             link (first, loadPixel (pixels[1], 0, at))};
   else {
     const Pixels second = loadPixel (pixels[0], pixel_channels, at);
     const Pixels third = loadPixel (pixels[1], 0, at);
     const Pixels fourth = loadPixel (pixels[1], pixel_channels, at);
-    CellSums sums;
-    sums.horizontal =
+    return {
         (link (first, second) + link (second, loadPixel (pixels[0], 0, at + 1))) +
-        (link (third, fourth) + link (fourth, loadPixel (pixels[1], 0, at + 1)));
-    sums.vertical = (link (first, third) + link (third, loadPixel (pixels[2], 0, at))) +
-                    (link (second, fourth) +
-                     link (fourth, loadPixel (pixels[2], pixel_channels, at)));
-    sums.point = fourth;
-    for (const Pixels* better : {&third, &second, &first}) {
-      const Mask measured = isMeasured (*better);
-      sums.point = {choose (measured, better->p, sums.point.p),
-                    hn::IfThenElse (measured, better->range, sums.point.range),
-                    hn::IfThenElse (measured, better->gate, sums.point.gate)};
-    }
-    return sums;
+            (link (third, fourth) + link (fourth, loadPixel (pixels[1], 0, at + 1))),
+        (link (first, third) + link (third, loadPixel (pixels[2], 0, at))) +
+            (link (second, fourth) +
+             link (fourth, loadPixel (pixels[2], pixel_channels, at)))};
   }
 }
 
+/** Writes a point of each cell, the first that is not missing. \return the range of it */
 HWY_INLINE V
-largestOf (const Vectors& a)
+storeCellPoint (const PixelRow* pixels, std::size_t at, CellRow points)
 {
-  return hn::Max (hn::Abs (a.x), hn::Max (hn::Abs (a.y), hn::Abs (a.z)));
+  Pixels point = loadPixel (pixels[1], pixel_channels, at);
+  V reach = load (pixels[1][pixel_channels + cell_reach] + at);
+  for (const auto& [row, first] : {std::pair (1, 0), {0, pixel_channels}, {0, 0}}) {
+    const Pixels better = loadPixel (pixels[row], first, at);
+    const Mask measured = isMeasured (better.range);
+    point = {choose (measured, better.p, point.p),
+             hn::IfThenElse (measured, better.range, point.range)};
+    reach =
+        hn::IfThenElse (measured, load (pixels[row][first + cell_reach] + at), reach);
+  }
+  store (point.p, points, cell_x, at);
+  store (hn::IfThenElseZero (isMeasured (point.range), reach), points[cell_reach] + at);
+  return point.range;
 }
 
 template <int step>
 void
 sumTangentsOf (const PixelRow* pixels,
                std::size_t cells,
-               const SensorModel& sensor,
+               SensorModel sensor,
                float units,
                std::size_t margin,
                TangentRow above,
@@ -147,29 +151,27 @@ sumTangentsOf (const PixelRow* pixels,
 {
   constexpr Ints d;
   const std::size_t lanes = hn::Lanes (d);
-  const V max_change = set (2.f * sensor.max_depth_change_factor);
   for (std::size_t i = 0; i < cells; i += lanes) {
-    const CellSums sums = cellSums<step> (pixels, i, max_change);
-    const Pixels& point = sums.point;
-    const Mask measured = isMeasured (point);
-    store (point.p, points, cell_x, i);
-    store (hn::IfThenElseZero (
-               measured,
-               hn::Mul (set (gate_sigmas / reach_sigmas), reciprocal (point.gate))),
-           points[cell_reach] + i);
+    V range;
+    if constexpr (step == 1)
+      range = load (pixels[0][pixel_range] + i);
+    else
+      range = storeCellPoint (pixels, i, points);
+    const auto [h, v] = cellSums<step> (pixels, i, sensor);
     // Next to the viewpoint, tangents can be longer than the range.
-    const V longest = hn::Max (largestOf (sums.horizontal), largestOf (sums.vertical));
+    const V longest = hn::Sqrt (hn::Max (dot (h, h), dot (v, v)));
     const V scale = hn::IfThenElseZero (
-        measured, hn::Mul (set (units), reciprocal (hn::Max (point.range, longest))));
+        isMeasured (range),
+        hn::Mul (set (units), reciprocal (hn::Max (range, longest))));
     const auto storeSum = [&] (V sum, std::size_t channel) HWY_ATTR {
       hn::StoreU (hn::NearestInt (hn::Mul (sum, scale)), d, integral[channel] + i + 1);
     };
-    storeSum (sums.horizontal.x, 0);
-    storeSum (sums.horizontal.y, 1);
-    storeSum (sums.horizontal.z, 2);
-    storeSum (sums.vertical.x, 3);
-    storeSum (sums.vertical.y, 4);
-    storeSum (sums.vertical.z, 5);
+    storeSum (h.x, 0);
+    storeSum (h.y, 1);
+    storeSum (h.z, 2);
+    storeSum (v.x, 3);
+    storeSum (v.y, 4);
+    storeSum (v.z, 5);
   }
   for (std::size_t c = 0; c < tangent_channels; ++c)
     addUp (cells, margin, above[c] + 1, integral[c] + 1);

@@ -18,66 +18,57 @@ namespace {
  * also if they count a little less. */
 constexpr float larger_bonus = 1.2f;
 
-/** The differences of rows of integral images: sums over the columns to the left. */
-HWY_INLINE void
-subtractRows (std::size_t elements,
-              const std::int32_t* below,
-              const std::int32_t* above,
-              std::int32_t* differences)
-{
-  constexpr Ints d;
-  for (std::size_t i = 0; i < elements; i += hn::Lanes (d))
-    hn::StoreU (hn::Sub (hn::LoadU (d, below + i), hn::LoadU (d, above + i)),
-                d,
-                differences + i);
-}
+/** The sums of three channels over the window, and over its right and its lower half. */
+struct WindowSums {
+  Vectors all, right_half, lower_half;
+};
 
-/** The sums of three channels from column \a left to \a right. */
-HWY_INLINE Vectors
-sumBetween (TangentRow row,
-            std::size_t first,
-            std::ptrdiff_t left,
-            std::ptrdiff_t right)
+/** From those of the columns to the left of columns \a left, \a center and \a right. */
+HWY_INLINE WindowSums
+sumWindow (const WindowRows& rows,
+           TangentRow rows_below,
+           std::size_t first,
+           std::ptrdiff_t left,
+           std::ptrdiff_t center,
+           std::ptrdiff_t right)
 {
   constexpr Ints d;
-  const auto sum = [=] (const std::int32_t* channel) HWY_ATTR {
-    return hn::ConvertTo (
-        Floats(),
-        hn::Sub (hn::LoadU (d, channel + right), hn::LoadU (d, channel + left)));
-  };
-  return {sum (row[first]), sum (row[first + 1]), sum (row[first + 2])};
+  V all[3], right_half[3], lower_half[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::int32_t* top = rows.top[first + c];
+    const std::int32_t* middle = rows.middle[first + c];
+    const std::int32_t* below = rows_below[first + c];
+    const auto toRight = [=] (const std::int32_t* row, std::ptrdiff_t from) HWY_ATTR {
+      return hn::Sub (hn::LoadU (d, row + right), hn::LoadU (d, row + from));
+    };
+    const auto between = [=] (I above, I under) HWY_ATTR {
+      return hn::ConvertTo (Floats(), hn::Sub (under, above));
+    };
+    const I whole = toRight (below, left);
+    all[c] = between (toRight (top, left), whole);
+    lower_half[c] = between (toRight (middle, left), whole);
+    right_half[c] = between (toRight (top, center), toRight (below, center));
+  }
+  return {{all[0], all[1], all[2]},
+          {right_half[0], right_half[1], right_half[2]},
+          {lower_half[0], lower_half[1], lower_half[2]}};
 }
 
 } // namespace
 
 void
-fitPlanesHere (WindowRows rows,
-               std::size_t cells,
-               std::size_t margin,
-               CellRow points,
-               FitBuffers buffers,
-               PlaneRow planes)
+fitPlanesHere (WindowRows rows, std::size_t cells, CellRow points, PlaneRow planes)
 {
   constexpr Floats d;
-  const TangentRow whole = buffers.whole, lower_half = buffers.lower_half;
-  const ChannelRow<float> inverse_lengths = buffers.inverse_lengths;
-  for (std::size_t c = 0; c < tangent_channels; ++c) {
-    // In front of a row, all sums are 0.
-    const std::size_t elements = cells + margin;
-    const std::int32_t* below = (c < 3 ? rows.below : rows.below_vertical)[c];
-    subtractRows (elements, below, rows.top[c], whole[c]);
-    subtractRows (elements, below, rows.middle[c], lower_half[c]);
-  }
-
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
     const std::ptrdiff_t left = i - rows.half_width, right = i + rows.half_width;
-    const Vectors h = sumBetween (whole, 0, left, right);
-    const Vectors v = sumBetween (whole, 3, left, right + 1);
-    const Vectors crossed = cross (h, v);
+    const WindowSums h = sumWindow (rows, rows.below, 0, left, i, right);
+    const WindowSums v = sumWindow (rows, rows.below_vertical, 3, left, i, right + 1);
+    const Vectors crossed = cross (h.all, v.all);
     const Vectors p = load (points, cell_x, i);
     const V squared_length = dot (crossed, crossed);
-    const V squared_h = dot (h, h), squared_v = dot (v, v);
+    const V squared_h = dot (h.all, h.all), squared_v = dot (v.all, v.all);
     const V product = hn::Mul (squared_h, squared_v);
     // Tangents that are zero or parallel span no surface.
     const Mask is_surface =
@@ -88,16 +79,8 @@ fitPlanesHere (WindowRows rows,
         onlyWhere (is_surface,
                    crossed * hn::Mul (towards_sensor, reciprocalSqrt (squared_length)));
     const V inverse = reciprocal (product);
-    store (hn::Mul (squared_v, inverse), inverse_lengths[0] + i);
-    store (hn::Mul (squared_h, inverse), inverse_lengths[1] + i);
     store (n, planes, plane_x, at);
     store (dot (n, p), planes[plane_distance] + i);
-  }
-
-  for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
-    const auto i = static_cast<std::ptrdiff_t> (at);
-    const std::ptrdiff_t left = i - rows.half_width, right = i + rows.half_width;
-    const Vectors n = load (planes, plane_x, i);
     // The tangents of a window together have no part along the normal, so that its halves
     // have opposite ones. The bend between their means is four times that of one of them:
     // for the halves left and right, and for those up and down.
@@ -105,17 +88,13 @@ fitPlanesHere (WindowRows rows,
       const V a = dot (half, n), b = dot (other_half, n);
       return hn::MulAdd (a, a, hn::Mul (b, b));
     };
-    const V bend_h = squared (sumBetween (whole, 0, i, right),
-                              sumBetween (lower_half, 0, left, right));
-    const V bend_v = squared (sumBetween (whole, 3, i, right + 1),
-                              sumBetween (lower_half, 3, left, right + 1));
+    const V bend_h = squared (h.right_half, h.lower_half);
+    const V bend_v = squared (v.right_half, v.lower_half);
     const V squared_bend =
-        hn::Mul (set (16.f),
-                 hn::MulAdd (bend_h,
-                             load (inverse_lengths[0] + i),
-                             hn::Mul (bend_v, load (inverse_lengths[1] + i))));
+        hn::Mul (hn::Mul (set (16.f), inverse),
+                 hn::MulAdd (bend_h, squared_v, hn::Mul (bend_v, squared_h)));
     store (hn::IfThenElseZero (
-               isPlane (n),
+               is_surface,
                reciprocal (hn::MulAdd (set (sharpness), squared_bend, set (1.f)))),
            planes[plane_weight] + i);
   }
@@ -156,15 +135,9 @@ HWY_EXPORT (fitPlanesHere);
 HWY_EXPORT (chooseLargerHere);
 
 void
-fitPlanes (WindowRows window,
-           std::size_t cells,
-           std::size_t margin,
-           CellRow points,
-           FitBuffers buffers,
-           PlaneRow planes)
+fitPlanes (WindowRows window, std::size_t cells, CellRow points, PlaneRow planes)
 {
-  HWY_DYNAMIC_DISPATCH (fitPlanesHere)
-  (window, cells, margin, points, buffers, planes);
+  HWY_DYNAMIC_DISPATCH (fitPlanesHere) (window, cells, points, planes);
 }
 
 void

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <string>
 
@@ -44,6 +45,31 @@ shareOfDifferences (const ImageNormals& normals, const ImageNormals& expected)
     differ += !both_missing && !((n - m).array().abs() <= 1e-4f).all();
   }
   return static_cast<double> (differ) / static_cast<double> (normals.size());
+}
+
+/** As computeWith, in plain mode, into normals of eight floats; what is to be 0 must be. */
+ImageNormals
+computePadded (std::int64_t target, const Image& image)
+{
+  TangentNormalParameters parameters;
+  parameters.edge_aware = false;
+  std::vector<std::array<float, 8>> padded (image.points.size());
+  for (auto& normal : padded)
+    normal.fill (7.f);
+  hwy::SetSupportedTargetsForTest (target);
+  pcl::rgbd_planes::TangentNormals().compute (
+      {image.points[0].data(), 3, image.width, image.height},
+      parameters,
+      {padded[0].data(), padded[0].data() + 4, 8, true});
+  hwy::SetSupportedTargetsForTest (0);
+  ImageNormals normals;
+  for (const auto& n : padded) {
+    normals.emplace_back (n[0], n[1], n[2], n[4]);
+    // 7 where it was not touched.
+    for (const float padding : {n[3], n[5], n[6], n[7]})
+      EXPECT_TRUE (padding == 0.f || padding == 7.f) << padding;
+  }
+  return normals;
 }
 
 /** Every set of instructions gives the normals of the fallback. Only \a discontinuous
@@ -106,6 +132,18 @@ TEST (VectorInstructions, OddSizes)
     for (const int height : {1, 2, 3, 8, 31, 67})
       expectSameNormals (roughImage (width, height, 7),
                          std::to_string (width) + " x " + std::to_string (height));
+}
+
+/** Normals of whole rows are written in vectors where they are eight floats each. */
+TEST (VectorInstructions, PaddedNormals)
+{
+  for (const int width : {16, 33, 64, 160, 480, 500, 512}) {
+    const Image image = roughImage (width, 9, 13);
+    const ImageNormals expected = computeWith (fallback, image, Mode::plain);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+      EXPECT_EQ (shareOfDifferences (computePadded (target, image), expected), 0.)
+          << width << ", " << hwy::TargetName (target);
+  }
 }
 
 TEST (VectorInstructions, CellsOfFourPixels)

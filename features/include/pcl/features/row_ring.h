@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <tuple>
 #include <vector>
 
 namespace pcl {
@@ -69,6 +70,13 @@ public:
     return first_ + channel * stride_;
   }
 
+  /** \brief From one channel to the next. */
+  std::size_t
+  stride () const
+  {
+    return stride_;
+  }
+
 private:
   T* first_ = nullptr;
   std::size_t stride_ = 0;
@@ -91,16 +99,26 @@ public:
   }
 
   /** \brief Makes room for the last \a rows rows of \a width elements in \a channels
-   * channels, and for \a margin elements on both sides of each, and sets everything to
-   * \a value. Allocates only when more room is needed than ever before. */
+   * channels, and for \a margin elements on both sides of each. Sets everything to \a value,
+   * unless the room has been the same before. Allocates only when more room is needed than ever
+   * before. */
   void
   reset (int rows, int channels, int width, int margin, T value)
   {
+    const auto old = std::tuple (rows_, channels_, margin_, stride_);
     rows_ = static_cast<std::size_t> (rows);
     channels_ = static_cast<std::size_t> (channels);
     margin_ = static_cast<std::size_t> (roundUp (margin));
     stride_ = static_cast<std::size_t> (roundUp (width)) + 2 * margin_;
-    elements_.assign (rows_ * channels_ * stride_, value);
+    if (old != std::tuple (rows_, channels_, margin_, stride_))
+      elements_.assign (rows_ * channels_ * stride_, value);
+  }
+
+  /** \brief Sets all of row \a v to \a value. */
+  void
+  fill (int v, T value)
+  {
+    std::fill_n (operator[] (v)[0] - margin_, channels_ * stride_, value);
   }
 
   /** \brief Row \a v, which takes the place of row v - rows. */
@@ -112,8 +130,8 @@ public:
   }
 
 private:
-  std::size_t rows_ = 1;
-  std::size_t channels_ = 1;
+  std::size_t rows_ = 0;
+  std::size_t channels_ = 0;
   std::size_t margin_ = 0;
   std::size_t stride_ = 0;
   std::vector<T, VectorAllocator<T>> elements_;

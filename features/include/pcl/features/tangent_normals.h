@@ -51,6 +51,9 @@ struct NormalOutput {
   float* normal = nullptr;
   float* curvature = nullptr;
   std::size_t stride = 0;
+  /** Whether normals are eight floats each, as pcl::Normal: three of the normal, one that may
+   * be set to 0, the curvature, and three that may be set to 0. */
+  bool padded = false;
 };
 
 /** \brief Normals from tangents averaged with integral images (Holz et al. 2011,

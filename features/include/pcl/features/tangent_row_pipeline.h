@@ -91,14 +91,17 @@ private:
   ChannelRow<float>
   planesOf (int stage, int y);
 
+  ChannelRow<float>
+  cellsOf (int y);
+
   std::size_t
   write (int v, const NormalOutput& output);
 
   void
-  copyNormals (int v, const NormalOutput& output);
+  copyNormals (const float* normals, int v, const NormalOutput& output);
 
   std::size_t
-  blankBorder (int y);
+  blankBorder (int y, float* normals);
 
   const float*
   pointsOf (int v);
@@ -120,8 +123,6 @@ private:
   RowRing<float> cells_;
   std::array<RowRing<float>, plane_stages> planes_;
   RowRing<float> no_planes_;
-  RowRing<std::int32_t> strips_;
-  RowRing<float> inverse_lengths_;
   RowRing<float> larger_;
   RowRing<float> normals_;
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -46,7 +47,10 @@ viewNormals (pcl::PointCloud<PointT>& cloud)
                  "normal_x, normal_y and normal_z must be floats next to each other");
   static_assert (sizeof (PointT) % sizeof (float) == 0, "points must be whole floats");
   PointT& first = cloud.front();
-  return {&first.normal_x, &first.curvature, sizeof (PointT) / sizeof (float)};
+  return {&first.normal_x,
+          &first.curvature,
+          sizeof (PointT) / sizeof (float),
+          std::is_same_v<PointT, pcl::Normal>};
 }
 
 /** \brief Whether \a cloud is an image of points, and holds all of them. */
