@@ -33,7 +33,7 @@ PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
 {
   for (const auto step : steps)
     for (auto& method : planeMethods (without)) {
-      results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}});
+      results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}, {}});
       runs_.push_back ({step, std::move (method), {}});
     }
 }
@@ -84,13 +84,18 @@ PlaneComparison::score (const Frame& frame,
                         PlaneResult& result) const
 {
   const OrganizedPoints points = viewPoints (cloud);
-  if (const auto truth = truePlanes (frame, run.step))
-    result.evaluation.add (
-        points, run.found, *truth, minPlanePoints (frame, cloud.size()));
+  const std::size_t min_points = minPlanePoints (frame, cloud.size());
+  const auto truth = truePlanes (frame, run.step);
+  if (truth)
+    result.evaluation.add (points, run.found, *truth, min_points);
   else
     result.evaluation.add (points, run.found);
-  if (frame.truth)
-    result.curved.add (points, run.found, subsample (*frame.truth, run.step));
+  if (frame.truth) {
+    const auto pixels = subsample (*frame.truth, run.step);
+    const Eigen::Vector3f up = frame.camera_to_base->linear().row (2);
+    result.curved.add (points, run.found, pixels);
+    result.correction.add (cloud, run.found, *truth, pixels, up, min_points);
+  }
   if (frame.labels.kind == PointLabels::Kind::objects)
     result.object_labels.add (
         points, run.found, subsample (frame.labels.points, run.step));

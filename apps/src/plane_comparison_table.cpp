@@ -104,11 +104,36 @@ sceneRow (const PlaneResult& result)
       .line();
 }
 
+bool
+hasCorrection (const PlaneResult& result)
+{
+  return result.correction.before.points > 0 || !result.correction.walls.errors.empty();
+}
+
+std::string
+correctionRow (const PlaneResult& result)
+{
+  const PlaneCorrection& c = result.correction;
+  return Row (result)
+      .number (static_cast<double> (c.before.points), 11)
+      .number (c.before.rmsMillimetres(), 11, 1)
+      .number (c.along_ray.rmsMillimetres(), 11, 1)
+      .number (c.along_normal.rmsMillimetres(), 13, 1)
+      .number (c.fits_along_ray.rmsMillimetres(), 6, 1)
+      .number (static_cast<double> (c.walls.errors.size()), 12)
+      .number (c.walls.medianDegrees(), 9, 2)
+      .number (c.walls.withinPercent(), 10, 1)
+      .number (c.fits_walls.medianDegrees(), 7, 2)
+      .number (c.fits_walls.withinPercent(), 10, 1)
+      .line();
+}
+
 nlohmann::ordered_json
 jsonRow (const PlaneResult& result)
 {
   const PlaneEvaluation& e = result.evaluation;
   const RightAngles& right = result.right_angles;
+  const PlaneCorrection& c = result.correction;
   const auto withTruth = [&e] (const nlohmann::ordered_json& value) {
     return e.hasTruth() ? value : nlohmann::ordered_json();
   };
@@ -137,7 +162,45 @@ jsonRow (const PlaneResult& result)
           {"right_angle_median_deg", right.medianDegrees()},
           {"right_angle_pairs_percent", right.pairsWithinPercent()},
           {"right_angle_frames_percent", right.framesWithinPercent()},
-          {"right_angle_frames", right.frames()}};
+          {"right_angle_frames", right.frames()},
+          {"far_points", c.before.points},
+          {"far_rms_before_mm", c.before.rmsMillimetres()},
+          {"far_rms_along_ray_mm", c.along_ray.rmsMillimetres()},
+          {"far_rms_along_normal_mm", c.along_normal.rmsMillimetres()},
+          {"far_rms_fit_mm", c.fits_along_ray.rmsMillimetres()},
+          {"wall_pairs", c.walls.errors.size()},
+          {"wall_angle_median_deg", c.walls.medianDegrees()},
+          {"wall_angle_percent", c.walls.withinPercent()},
+          {"wall_angle_fit_median_deg", c.fits_walls.medianDegrees()},
+          {"wall_angle_fit_percent", c.fits_walls.withinPercent()}};
+}
+
+std::string
+sceneTable (const std::vector<PlaneResult>& results)
+{
+  std::string text =
+      "\n"
+      "method        size   table IoU  worst  purity  curved labelled  shattered"
+      "  right angles  pairs in 2 deg   frames  of frames\n"
+      "                                            %                %          %"
+      "        off by               %        %\n";
+  for (const auto& result : results)
+    text += sceneRow (result);
+  return text;
+}
+
+std::string
+correctionTable (const std::vector<PlaneResult>& results)
+{
+  std::string text =
+      "\n"
+      "method        size  far points  rms before  along ray  along normal   fit"
+      "  wall pairs  off by   in 1 deg    fit  in 1 deg\n"
+      "                                       mm         mm            mm    mm"
+      "                 deg         %    deg         %\n";
+  for (const auto& result : results)
+    text += correctionRow (result);
+  return text;
 }
 
 } // namespace
@@ -153,15 +216,10 @@ planeComparisonTable (const std::vector<PlaneResult>& results)
                      "          0.5           %      %     deg        mm\n";
   for (const auto& result : results)
     text += mainRow (result);
-  if (!std::any_of (results.begin(), results.end(), hasSceneFigures))
-    return text;
-  text += "\n"
-          "method        size   table IoU  worst  purity  curved labelled  shattered"
-          "  right angles  pairs in 2 deg   frames  of frames\n"
-          "                                            %                %          %"
-          "        off by               %        %\n";
-  for (const auto& result : results)
-    text += sceneRow (result);
+  if (std::any_of (results.begin(), results.end(), hasSceneFigures))
+    text += sceneTable (results);
+  if (std::any_of (results.begin(), results.end(), hasCorrection))
+    text += correctionTable (results);
   return text;
 }
 
