@@ -12,8 +12,8 @@ namespace rgbd_planes {
 
 namespace {
 
-/** So many points, or at most twice as many, tell the sides of a box as well as all. */
-constexpr unsigned min_points = 300;
+/** So many points tell the sides of a box as well as all. */
+constexpr unsigned max_points = 300;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
 
@@ -117,7 +117,7 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
 {
   projected_.clear();
   heights_.clear();
-  const std::size_t step = std::max<std::size_t> (indices.size() / min_points, 1);
+  const std::size_t step = (indices.size() + max_points - 1) / max_points;
   for (std::size_t k = 0; k < indices.size(); k += step) {
     const float* p = points[static_cast<std::size_t> (indices[k])];
     projected_.push_back (support.project (p));
