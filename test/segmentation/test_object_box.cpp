@@ -93,6 +93,44 @@ TEST (ObjectBox, ATopThatIsNotSeen)
   EXPECT_NEAR (sides.z(), 0.25f, 0.006f);
 }
 
+TEST (ObjectBox, ATopAtTheHeightOfTheCamera)
+{
+  // Nothing but the front of a box, 1.2 m away, 10 cm wide and as high as the camera.
+  std::vector<float> points;
+  pcl::Indices indices;
+  for (int column = 0; column <= 100; ++column)
+    for (int row = 0; row <= 10; ++row) {
+      indices.push_back (static_cast<pcl::index_t> (indices.size()));
+      points.insert (points.end(),
+                     {0.001f * static_cast<float> (column) - 0.05f,
+                      0.025f * static_cast<float> (row),
+                      1.2f});
+    }
+  SupportPlane ground;
+  ground.plane.normal = -Vector3f::UnitY();
+  ground.plane.d = 0.25f;
+  ground.axis_x = Vector3f::UnitZ();
+  ground.axis_y = -Vector3f::UnitX();
+  const Vector3f size =
+      ObjectBoxFinder()
+          .compute ({points.data(), 3, 101 * 11, 1}, indices, ground, DepthNoise())
+          .size;
+  EXPECT_NEAR (size.head<2>().minCoeff(), 0.f, 1e-4f);
+  EXPECT_NEAR (size.head<2>().maxCoeff(), 0.1f, 0.006f);
+  EXPECT_NEAR (size.z(), 0.25f, 0.006f);
+}
+
+TEST (ObjectBox, FlyingPixelsDoNotCount)
+{
+  const Vector3f size (0.15f, 0.1f, 0.12f);
+  View view = table_scenes::look ({{{1.2f, 0.1f, 0.f}, size, 0.3f}}, camera);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < view.box.size(); ++i)
+    if (view.box[i] == 0 && ++seen % 100 == 0)
+      (*view.cloud)[i].getVector3fMap() *= seen % 200 ? 1.1f : 0.9f;
+  EXPECT_LT ((sidesOf (view, {0}) - size).cwiseAbs().maxCoeff(), 0.01f);
+}
+
 TEST (ObjectBox, OnePoint)
 {
   View view = table_scenes::look ({{{1.2f, 0.f, 0.f}, {0.1f, 0.1f, 0.1f}}}, camera);
