@@ -119,10 +119,13 @@ correctionRow (const PlaneResult& result)
       .number (c.before.rmsMillimetres(), 11, 1)
       .number (c.along_ray.rmsMillimetres(), 11, 1)
       .number (c.along_normal.rmsMillimetres(), 13, 1)
+      .number (c.together.rmsMillimetres(), 10, 1)
       .number (c.fits_along_ray.rmsMillimetres(), 6, 1)
       .number (static_cast<double> (c.walls.errors.size()), 12)
       .number (c.walls.medianDegrees(), 9, 2)
       .number (c.walls.withinPercent(), 10, 1)
+      .number (c.together_walls.medianDegrees(), 10, 2)
+      .number (c.together_walls.withinPercent(), 10, 1)
       .number (c.fits_walls.medianDegrees(), 7, 2)
       .number (c.fits_walls.withinPercent(), 10, 1)
       .line();
@@ -167,10 +170,13 @@ jsonRow (const PlaneResult& result)
           {"far_rms_before_mm", c.before.rmsMillimetres()},
           {"far_rms_along_ray_mm", c.along_ray.rmsMillimetres()},
           {"far_rms_along_normal_mm", c.along_normal.rmsMillimetres()},
+          {"far_rms_together_mm", c.together.rmsMillimetres()},
           {"far_rms_fit_mm", c.fits_along_ray.rmsMillimetres()},
           {"wall_pairs", c.walls.errors.size()},
           {"wall_angle_median_deg", c.walls.medianDegrees()},
           {"wall_angle_percent", c.walls.withinPercent()},
+          {"wall_angle_together_median_deg", c.together_walls.medianDegrees()},
+          {"wall_angle_together_percent", c.together_walls.withinPercent()},
           {"wall_angle_fit_median_deg", c.fits_walls.medianDegrees()},
           {"wall_angle_fit_percent", c.fits_walls.withinPercent()}};
 }
@@ -194,10 +200,10 @@ correctionTable (const std::vector<PlaneResult>& results)
 {
   std::string text =
       "\n"
-      "method        size  far points  rms before  along ray  along normal   fit"
-      "  wall pairs  off by   in 1 deg    fit  in 1 deg\n"
-      "                                       mm         mm            mm    mm"
-      "                 deg         %    deg         %\n";
+      "method        size  far points  rms before  along ray  along normal  together"
+      "   fit  wall pairs  off by   in 1 deg  together  in 1 deg    fit  in 1 deg\n"
+      "                                       mm         mm            mm        mm"
+      "    mm                 deg         %       deg         %    deg         %\n";
   for (const auto& result : results)
     text += correctionRow (result);
   return text;

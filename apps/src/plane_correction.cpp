@@ -54,10 +54,17 @@ countPoints (const Cloud& cloud, const PlaneSet& truth)
   return points;
 }
 
-Cloud
+/** What points become, and the planes they were moved onto. */
+struct Corrected {
+  Cloud cloud;
+  PlaneSet planes;
+};
+
+Corrected
 project (const Cloud::ConstPtr& cloud,
          const PlaneSet& planes,
-         Projection::Direction direction)
+         Projection::Direction direction,
+         bool fit_together = false)
 {
   std::vector<pcl::ModelCoefficients> models (planes.coefficients.size());
   for (std::size_t k = 0; k < models.size(); ++k)
@@ -72,8 +79,11 @@ project (const Cloud::ConstPtr& cloud,
   projection.setDirection (direction);
   projection.setInputCloud (cloud);
   projection.setPlanes (models, labels);
-  Cloud result;
-  projection.filter (result);
+  projection.setFitTogether (fit_together);
+  Corrected result;
+  projection.filter (result.cloud);
+  const auto& fitted = projection.getPlanes();
+  result.planes = {{fitted.begin(), fitted.end()}, planes.labels};
   return result;
 }
 
@@ -202,16 +212,18 @@ PlaneCorrection::add (const Cloud& cloud,
   const TrueFrame frame{cloud, truth, pixels, countPoints (cloud, truth)};
   const PlaneSet fits = fitPlanes (frame);
   const auto input = pcl::make_shared<Cloud> (cloud);
-  const auto addProjected = [&] (const PlaneSet& planes,
-                                 Projection::Direction direction,
-                                 Residuals& residuals) {
-    addResiduals (frame, project (input, planes, direction), min_points, residuals);
+  const auto addCorrected = [&] (const Corrected& corrected, Residuals& residuals) {
+    addResiduals (frame, corrected.cloud, min_points, residuals);
   };
+  using Direction = Projection::Direction;
   addResiduals (frame, cloud, min_points, before);
-  addProjected (found, Projection::Direction::viewing_ray, along_ray);
-  addProjected (found, Projection::Direction::normal, along_normal);
-  addProjected (fits, Projection::Direction::viewing_ray, fits_along_ray);
+  addCorrected (project (input, found, Direction::viewing_ray), along_ray);
+  addCorrected (project (input, found, Direction::normal), along_normal);
+  addCorrected (project (input, fits, Direction::viewing_ray), fits_along_ray);
+  const Corrected fitted = project (input, found, Direction::viewing_ray, true);
+  addCorrected (fitted, together);
   addWalls (frame, found, up, walls);
+  addWalls (frame, fitted.planes, up, together_walls);
   addWalls (frame, fits, up, fits_walls);
 }
 

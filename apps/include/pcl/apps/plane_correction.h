@@ -66,8 +66,10 @@ public:
   Residuals before;         /**< as measured */
   Residuals along_ray;      /**< moved along their viewing rays onto found planes */
   Residuals along_normal;   /**< moved along the normals of found planes */
+  Residuals together;       /**< along their rays onto found planes, fitted together */
   Residuals fits_along_ray; /**< moved along their viewing rays onto fits */
   WallAngles walls;
+  WallAngles together_walls;
   WallAngles fits_walls;
 };
 
