@@ -87,7 +87,8 @@ evaluatePlanes (int argc, char** argv)
       po::value<std::string>()->value_name ("all|floor"),
       "the scene is right-angled: how far planes with 2 % of the pixels and more are "
       "from 90 degrees, in pairs within 20 degrees of that, or only those with the "
-      "floor, the lowest plane of the image");
+      "floor, the lowest plane of the image; and the same when planes are fitted "
+      "together");
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;

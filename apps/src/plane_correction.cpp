@@ -180,6 +180,12 @@ addWalls (const TrueFrame& frame,
 
 } // namespace
 
+PlaneSet
+fitTogether (const Cloud::ConstPtr& cloud, const PlaneSet& planes)
+{
+  return project (cloud, planes, Projection::Direction::viewing_ray, true).planes;
+}
+
 double
 Residuals::rmsMillimetres() const
 {
@@ -202,28 +208,29 @@ WallAngles::withinPercent() const
 }
 
 void
-PlaneCorrection::add (const Cloud& cloud,
+PlaneCorrection::add (const Cloud::ConstPtr& cloud,
                       const PlaneSet& found,
                       const PlaneSet& truth,
                       const pcl::PointCloud<TruthPoint>& pixels,
                       const Eigen::Vector3f& up,
                       std::size_t min_points)
 {
-  const TrueFrame frame{cloud, truth, pixels, countPoints (cloud, truth)};
+  const TrueFrame frame{*cloud, truth, pixels, countPoints (*cloud, truth)};
   const PlaneSet fits = fitPlanes (frame);
-  const auto input = pcl::make_shared<Cloud> (cloud);
-  const auto addCorrected = [&] (const Corrected& corrected, Residuals& residuals) {
-    addResiduals (frame, corrected.cloud, min_points, residuals);
-  };
+  const PlaneSet fitted_together = fitTogether (cloud, found);
   using Direction = Projection::Direction;
-  addResiduals (frame, cloud, min_points, before);
-  addCorrected (project (input, found, Direction::viewing_ray), along_ray);
-  addCorrected (project (input, found, Direction::normal), along_normal);
-  addCorrected (project (input, fits, Direction::viewing_ray), fits_along_ray);
-  const Corrected fitted = project (input, found, Direction::viewing_ray, true);
-  addCorrected (fitted, together);
+  const auto addProjected =
+      [&] (const PlaneSet& planes, Direction direction, Residuals& residuals) {
+        addResiduals (
+            frame, project (cloud, planes, direction).cloud, min_points, residuals);
+      };
+  addResiduals (frame, *cloud, min_points, before);
+  addProjected (found, Direction::viewing_ray, along_ray);
+  addProjected (found, Direction::normal, along_normal);
+  addProjected (fitted_together, Direction::viewing_ray, together);
+  addProjected (fits, Direction::viewing_ray, fits_along_ray);
   addWalls (frame, found, up, walls);
-  addWalls (frame, fitted.planes, up, together_walls);
+  addWalls (frame, fitted_together, up, together_walls);
   addWalls (frame, fits, up, fits_walls);
 }
 

@@ -29,13 +29,14 @@ wall (float depth, float degrees = 0.f)
  * another one, turned by 40 degrees, true plane 1. Both were found where they are. */
 class PlaneCorrectionTest : public testing::Test {
 protected:
-  PlaneCorrectionTest() : cloud_ (40, 10), pixels_ (40, 10)
+  PlaneCorrectionTest() : pixels_ (40, 10)
   {
     truth_.coefficients = {wall (4.f), wall (4.f, 40.f)};
     truth_.labels.resize (400);
     for (std::size_t i = 0; i < 400; ++i) {
       truth_.labels[i] = i % 40 < 20 ? 0 : 1;
-      cloud_[i].getVector3fMap() = onPlane (i, truth_.coefficients[truth_.labels[i]]);
+      (*cloud_)[i].getVector3fMap() =
+          onPlane (i, truth_.coefficients[truth_.labels[i]]);
     }
     found_ = truth_;
   }
@@ -55,7 +56,7 @@ protected:
   addNoise ()
   {
     for (std::size_t i = 0; i < 400; ++i)
-      cloud_[i].getVector3fMap() *= i % 2 ? 1.01f : 0.99f;
+      (*cloud_)[i].getVector3fMap() *= i % 2 ? 1.01f : 0.99f;
   }
 
   /** Only the points of plane 0 stay. */
@@ -64,7 +65,7 @@ protected:
   {
     for (std::size_t i = 0; i < 400; ++i)
       if (i % 40 >= 20)
-        cloud_[i].x = not_a_number;
+        (*cloud_)[i].x = not_a_number;
   }
 
   PlaneCorrection
@@ -75,7 +76,8 @@ protected:
     return correction;
   }
 
-  pcl::PointCloud<pcl::PointXYZ> cloud_;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_ =
+      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (40, 10);
   pcl::PointCloud<TruthPoint> pixels_;
   PlaneSet truth_, found_;
 };
@@ -104,7 +106,7 @@ TEST_F (PlaneCorrectionTest, RaysAndNormals)
   double along_ray = 0., along_normal = 0.;
   for (std::size_t i = 0; i < 400; ++i)
     if (i % 40 < 20) {
-      const Eigen::Vector3d p = cloud_[i].getVector3fMap().cast<double>();
+      const Eigen::Vector3d p = (*cloud_)[i].getVector3fMap().cast<double>();
       const double distance = plane.dot (p.homogeneous());
       along_normal += std::pow (p.z() - distance * plane.z() - 4., 2);
       const double scale = -plane[3] / plane.head<3>().dot (p);
@@ -135,15 +137,15 @@ TEST_F (PlaneCorrectionTest, EdgesOtherRangesAndSmallPlanesDoNotCount)
   for (std::size_t v = 0; v < 10; ++v) {
     pixels_[40 * v].edge = 1;
     truth_.labels[40 * v + 1] = unlabelled;
-    cloud_[40 * v + 2].y = not_a_number;
-    cloud_[40 * v + 3].getVector3fMap() *=
-        3.4f / cloud_[40 * v + 3].getVector3fMap().norm();
-    cloud_[40 * v + 4].getVector3fMap() *=
-        3.6f / cloud_[40 * v + 4].getVector3fMap().norm();
-    cloud_[40 * v + 5].getVector3fMap() *=
-        5.9f / cloud_[40 * v + 5].getVector3fMap().norm();
-    cloud_[40 * v + 6].getVector3fMap() *=
-        6.1f / cloud_[40 * v + 6].getVector3fMap().norm();
+    (*cloud_)[40 * v + 2].y = not_a_number;
+    (*cloud_)[40 * v + 3].getVector3fMap() *=
+        3.4f / (*cloud_)[40 * v + 3].getVector3fMap().norm();
+    (*cloud_)[40 * v + 4].getVector3fMap() *=
+        3.6f / (*cloud_)[40 * v + 4].getVector3fMap().norm();
+    (*cloud_)[40 * v + 5].getVector3fMap() *=
+        5.9f / (*cloud_)[40 * v + 5].getVector3fMap().norm();
+    (*cloud_)[40 * v + 6].getVector3fMap() *=
+        6.1f / (*cloud_)[40 * v + 6].getVector3fMap().norm();
   }
   EXPECT_EQ (evaluate().before.points, 400u - 50u);
   EXPECT_EQ (evaluate (180).before.points, 400u - 50u);
@@ -158,9 +160,9 @@ TEST_F (PlaneCorrectionTest, FitsFollowWhatIsMeasured)
   found_.coefficients.clear();
   found_.labels.assign (400, unlabelled);
   for (std::size_t i = 0; i < 400; ++i) {
-    cloud_[i].getVector3fMap() *= 1.02f;
+    (*cloud_)[i].getVector3fMap() *= 1.02f;
     if (i % 40 == 7 || i % 40 == 8) { // seen past an edge
-      cloud_[i].getVector3fMap() *= 1.2f;
+      (*cloud_)[i].getVector3fMap() *= 1.2f;
       pixels_[i].edge = 1;
     }
   }
@@ -176,6 +178,8 @@ TEST_F (PlaneCorrectionTest, AnglesBetweenWalls)
   PlaneCorrection result = evaluate();
   ASSERT_EQ (result.walls.errors.size(), 1u);
   EXPECT_NEAR (result.walls.errors[0], 0., 1e-3);
+  EXPECT_NEAR (result.together_walls.errors.at (0), 0., 1e-2);
+  EXPECT_NEAR (result.together.rmsMillimetres(), 0., 0.1);
   found_.coefficients[1] = wall (4.f, 40.9f);
   EXPECT_NEAR (evaluate().walls.medianDegrees(), 0.9, 1e-3);
   EXPECT_DOUBLE_EQ (evaluate().walls.withinPercent(), 100.);

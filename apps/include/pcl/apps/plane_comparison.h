@@ -32,6 +32,7 @@ struct PlaneResult {
   ObjectLabelEvaluation object_labels;
   CurvedPoints curved;
   RightAngles right_angles;
+  RightAngles right_angles_together; // of the planes after fitTogether()
   PlaneCorrection correction;
 };
 
@@ -73,7 +74,7 @@ private:
 
   void
   score (const Frame& frame,
-         const pcl::PointCloud<pcl::PointXYZ>& cloud,
+         const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
          const Run& run,
          PlaneResult& result) const;
 

@@ -14,6 +14,12 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The planes as ProjectOntoPlanes::setFitTogether (true) makes them, with the labels
+ * they have. */
+PlaneSet
+fitTogether (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+             const PlaneSet& planes);
+
 /** \brief Distances of points from where they should be. */
 struct Residuals {
   double squares = 0.;
@@ -56,7 +62,7 @@ public:
    * \param[in] min_points of true planes; smaller ones do not count
    */
   void
-  add (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+  add (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
        const PlaneSet& found,
        const PlaneSet& truth,
        const pcl::PointCloud<TruthPoint>& pixels,
