@@ -127,7 +127,9 @@ WarpedPlaneFit::meanOf (const OrganizedPoints& points,
   cell.inverse_depth = 0.;
   for (int v = cell.row * cell_size_; v < (cell.row + 1) * cell_size_; ++v)
     for (int u = cell.column * cell_size_; u < (cell.column + 1) * cell_size_; ++u) {
-      const auto i = static_cast<std::size_t> (v * width_ + u);
+      const std::size_t i =
+          static_cast<std::size_t> (v) * static_cast<std::size_t> (width_) +
+          static_cast<std::size_t> (u);
       const Eigen::Map<const Eigen::Vector3f> p (points[i]);
       if (!isMeasured (points[i]) || p.z() <= 0.f || p.norm() > noise.max_range)
         continue;

@@ -48,11 +48,12 @@ struct WallAngles {
  * simulated frames.
  *
  * Far points are all those at a range of 3.5 to 6 m on a true plane, away from edges, on a
- * found plane or not; their residuals are distances from the true plane. Walls are vertical true
- * planes of 2 % of the pixels and more; two that meet at 30 degrees or more are a pair. A
- * wall is found when at least half of its points are on one plane, whose normal is the wall's. Fits are the
- * planes that least squares, weighted with DepthNoise, gives for the measured points of each true
- * plane away from edges: what would be left if every point were on the right plane.
+ * found plane or not; their residuals are distances from the true plane. Walls are vertical
+ * true planes of 2 % of the pixels and more; two that meet at 30 degrees or more are a
+ * pair. A wall is found when at least half of its points are on one plane, whose normal is
+ * then the wall's. Fits are the planes that least squares, weighted with DepthNoise, gives
+ * for the measured points of each true plane away from edges: what would be left if every
+ * point were on the right plane.
  */
 class PlaneCorrection {
 public:

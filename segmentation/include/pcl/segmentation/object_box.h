@@ -28,9 +28,9 @@ public:
    * rectangle around them for its ground; a few points, such as flying pixels, may stick out.
    *
    * Noise of depth spreads points along the view. Where a front and a top are seen, the
-   * near end is where the front is in the mean, and the far end half-way between the furthest points and where it
-   * is if the middle of the top is the middle of the thing: the middle is more
-   * certain than a margin that some pixels see at a flat angle.
+   * near end is where the front is in the mean. The far end is half-way between the furthest
+   * points and where it is if the middle of the top is the middle of the thing: the
+   * middle is more certain than a margin that few pixels see at a flat angle.
    * \param[in] indices measured points, at least one
    */
   ObjectBox
