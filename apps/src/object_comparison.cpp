@@ -95,7 +95,9 @@ objectFigures (const ObjectEvaluation& e)
           {"touching_50_percent", percent (e.touching.found_50, e.touching.objects)},
           {"touching_80_percent", percent (e.touching.found_80, e.touching.objects)},
           {"graspable_right_percent", percent (e.graspable_right, e.sized)},
-          {"boxes_right_percent", percent (e.boxes_right, e.boxes)}};
+          {"boxes_right_percent", percent (e.boxes_right, e.boxes)},
+          {"boxes_seen", count (e.boxes_seen)},
+          {"boxes_seen_right_percent", percent (e.boxes_seen_right, e.boxes_seen)}};
 }
 
 ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps)

@@ -113,11 +113,30 @@ isGraspable (const Eigen::Vector3f& size)
   return size.minCoeff() >= 0.01f && size.minCoeff() <= 0.1f;
 }
 
+/** How far off the sides of a box may be. */
+Eigen::Array3f
+tolerance (const Eigen::Vector3f& size)
+{
+  return (0.1f * size).array().max (0.01f);
+}
+
 bool
 sidesAreRight (const Eigen::Vector3f& truth, const Eigen::Vector3f& found)
 {
   const Eigen::Array3f error = (sorted (truth) - sorted (found)).array().abs();
-  return (error <= (0.1f * sorted (truth)).array().max (0.01f)).all();
+  return (error <= tolerance (sorted (truth))).all();
+}
+
+/** Whether points of a box are spread over its sides, and up to its top. */
+bool
+isSeen (const TrueObject& box, const std::vector<Eigen::Vector3f>& positions)
+{
+  const Eigen::Affine3f to_box = box.pose.inverse();
+  Eigen::AlignedBox3f seen;
+  for (const auto& p : positions)
+    seen.extend (to_box * p);
+  const Eigen::Vector3f sides (seen.sizes().x(), seen.sizes().y(), seen.max().z());
+  return ((box.size - sides).array() <= tolerance (box.size)).all();
 }
 
 } // namespace
@@ -168,7 +187,7 @@ ObjectEvaluation::add (const OrganizedPoints& points,
       ++counts.found_50;
       counts.found_80 += iou >= 0.8;
       if (region.is_apart && region.size)
-        countSize (*region.size, object);
+        countSize (*region.size, region.positions, object);
       break;
     }
   }
@@ -178,14 +197,20 @@ ObjectEvaluation::add (const OrganizedPoints& points,
 }
 
 void
-ObjectEvaluation::countSize (const TrueObject& object, const FoundObject& found_object)
+ObjectEvaluation::countSize (const TrueObject& object,
+                             const std::vector<Eigen::Vector3f>& positions,
+                             const FoundObject& found_object)
 {
   ++sized;
   graspable_right += isGraspable (object.size) == found_object.graspable;
   if (object.shape != TrueObject::Shape::box)
     return;
   ++boxes;
-  boxes_right += sidesAreRight (object.size, found_object.size);
+  const bool right = sidesAreRight (object.size, found_object.size);
+  const bool seen = isSeen (object, positions);
+  boxes_right += right;
+  boxes_seen += seen;
+  boxes_seen_right += seen && right;
 }
 
 ObjectCounts

@@ -33,7 +33,8 @@ PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
 {
   for (const auto step : steps)
     for (auto& method : planeMethods (without)) {
-      results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}});
+      results_.push_back (
+          {method.name, resolutionName (step), {}, {}, {}, {}, {}, {}, {}});
       runs_.push_back ({step, std::move (method), {}});
     }
 }
@@ -57,7 +58,7 @@ PlaneComparison::add (const Frame& frame)
     for (int k = 0; k < runs_per_frame; ++k)
       fastest = std::min (fastest, run.method.compute (cloud, min_points, run.found));
     results_[i].milliseconds.push_back (fastest);
-    score (frame, *cloud, run, results_[i]);
+    score (frame, cloud, run, results_[i]);
   }
 }
 
@@ -79,23 +80,31 @@ PlaneComparison::writePictures (const Frame& frame,
 
 void
 PlaneComparison::score (const Frame& frame,
-                        const pcl::PointCloud<pcl::PointXYZ>& cloud,
+                        const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
                         const Run& run,
                         PlaneResult& result) const
 {
-  const OrganizedPoints points = viewPoints (cloud);
-  if (const auto truth = truePlanes (frame, run.step))
-    result.evaluation.add (
-        points, run.found, *truth, minPlanePoints (frame, cloud.size()));
+  const OrganizedPoints points = viewPoints (*cloud);
+  const std::size_t min_points = minPlanePoints (frame, cloud->size());
+  const auto truth = truePlanes (frame, run.step);
+  if (truth)
+    result.evaluation.add (points, run.found, *truth, min_points);
   else
     result.evaluation.add (points, run.found);
-  if (frame.truth)
-    result.curved.add (points, run.found, subsample (*frame.truth, run.step));
+  if (frame.truth) {
+    const auto pixels = subsample (*frame.truth, run.step);
+    const Eigen::Vector3f up = frame.camera_to_base->linear().row (2);
+    result.curved.add (points, run.found, pixels);
+    result.correction.add (cloud, run.found, *truth, pixels, up, min_points);
+  }
   if (frame.labels.kind == PointLabels::Kind::objects)
     result.object_labels.add (
         points, run.found, subsample (frame.labels.points, run.step));
-  if (right_angles_)
+  if (right_angles_) {
     result.right_angles.add (points, run.found, *right_angles_);
+    result.right_angles_together.add (
+        points, fitTogether (cloud, run.found), *right_angles_);
+  }
 }
 
 } // namespace rgbd_planes

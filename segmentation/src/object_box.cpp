@@ -12,15 +12,36 @@ namespace rgbd_planes {
 
 namespace {
 
-/** So many points, or at most twice as many, tell the sides of a box as well as all. */
-constexpr unsigned min_points = 300;
+/** So many points tell the sides of a box as well as all. */
+constexpr unsigned max_points = 300;
 /** The part of the points at either end that may be flying pixels. */
 constexpr float trimmed_part = 0.02f;
+
+// What follows is in standard deviations of depth, as far as it shows in a direction.
+/** Noise spreads a face of a box, or its top, by so much. */
+constexpr float face_sigmas = 4.f;
+/** Points so far below the top are not of it. */
+constexpr float top_sigmas = 2.f;
+/** The far end is not shifted by more. */
+constexpr float far_sigmas = 3.f;
+
+/** So many points at least are of a face that is seen, and so many of a top. */
+constexpr float min_front_part = 0.05f;
+constexpr std::size_t min_top_points = 20;
+/** Tops are seen from above at no less than 9 degrees; the sine of it. */
+constexpr float min_rise = 0.15f;
 
 float
 cross (const Eigen::Vector2f& a, const Eigen::Vector2f& b)
 {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+/** By 90 degrees, from x to y. */
+Eigen::Vector2f
+turned (const Eigen::Vector2f& a)
+{
+  return {-a.y(), a.x()};
 }
 
 /** The direction of the side of the hull along which a rectangle around it is smallest. */
@@ -50,53 +71,78 @@ smallestRectangle (const std::vector<Eigen::Vector2f>& corners)
   return best;
 }
 
-struct Range {
-  float low = 0.f;
-  float high = 0.f;
-};
-
 /** The range of the values but for a few at either end; changes their order. */
-Range
+ObjectBoxFinder::Range
 trimmedRange (std::vector<float>& values)
 {
   const auto trimmed =
       static_cast<std::ptrdiff_t> (trimmed_part * static_cast<float> (values.size()));
   const auto low = values.begin() + trimmed, high = values.end() - 1 - trimmed;
   std::nth_element (values.begin(), low, values.end());
-  Range range;
+  ObjectBoxFinder::Range range;
   range.low = *low;
   std::nth_element (low, high, values.end());
   range.high = *high;
   return range;
 }
 
+/** The mean of some values. */
+struct Mean {
+  float sum = 0.f;
+  float weight = 0.f;
+  std::size_t count = 0;
+
+  void
+  add (float value, float w = 1.f)
+  {
+    sum += w * value;
+    weight += w;
+    ++count;
+  }
+
+  float
+  value () const
+  {
+    return sum / weight;
+  }
+};
+
 } // namespace
 
 ObjectBox
 ObjectBoxFinder::compute (const OrganizedPoints& points,
                           const pcl::Indices& indices,
-                          const SupportPlane& support)
+                          const SupportPlane& support,
+                          const DepthNoise& noise)
 {
   projected_.clear();
-  values_.clear();
-  const std::size_t step = std::max<std::size_t> (indices.size() / min_points, 1);
+  heights_.clear();
+  const std::size_t step = (indices.size() + max_points - 1) / max_points;
   for (std::size_t k = 0; k < indices.size(); k += step) {
     const float* p = points[static_cast<std::size_t> (indices[k])];
     projected_.push_back (support.project (p));
-    values_.push_back (support.plane.distance (p));
+    heights_.push_back (support.plane.distance (p));
   }
+  values_ = heights_;
   const float height = trimmedRange (values_).high;
   border_ = projected_;
   convexHull (border_, hull_);
-  const Eigen::Vector2f along = smallestRectangle (hull_);
-  const Eigen::Vector2f across (-along.y(), along.x());
+  const View view = viewFrom (support.plane.d, height, noise);
+  // The first side of the two goes away from the camera.
+  Eigen::Vector2f along = smallestRectangle (hull_);
+  if (std::fabs (cross (along, view.away)) > std::fabs (along.dot (view.away)))
+    along = turned (along);
+  if (along.dot (view.away) < 0.f)
+    along = -along;
+  const Eigen::Vector2f across = turned (along);
   const auto rangeAlong = [&] (const Eigen::Vector2f& direction) {
     values_.clear();
     for (const auto& q : projected_)
       values_.push_back (direction.dot (q));
     return trimmedRange (values_);
   };
-  const Range x = rangeAlong (along), y = rangeAlong (across);
+  const Range x = withoutNoise (rangeAlong (along), along, view);
+  const Range y = rangeAlong (across);
 
   ObjectBox box;
   const Eigen::Vector2f middle =
@@ -106,6 +152,70 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
       across.x() * support.axis_x + across.y() * support.axis_y, support.plane.normal;
   box.size = {x.high - x.low, y.high - y.low, height};
   return box;
+}
+
+ObjectBoxFinder::View
+ObjectBoxFinder::viewFrom (float camera_height,
+                           float height,
+                           const DepthNoise& noise) const
+{
+  Eigen::Vector2f middle = Eigen::Vector2f::Zero();
+  Mean heights;
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    middle += projected_[i];
+    heights.add (heights_[i]);
+  }
+  middle /= static_cast<float> (heights_.size());
+  const float fall = camera_height - heights.value();
+  const float squared_range = middle.squaredNorm() + fall * fall;
+  View view;
+  view.camera_height = camera_height;
+  view.sigma = noise.sigma (squared_range);
+  view.away = middle / std::sqrt (squared_range);
+  view.rise = fall / std::sqrt (squared_range);
+  const float spread = view.sigma * view.rise;
+  Mean top;
+  for (const float h : heights_)
+    if (h >= height - face_sigmas * spread)
+      top.add (h);
+  view.top = top.value();
+  view.below_top = view.top - top_sigmas * spread;
+  return view;
+}
+
+ObjectBoxFinder::Range
+ObjectBoxFinder::withoutNoise (const Range& range,
+                               const Eigen::Vector2f& direction,
+                               const View& view) const
+{
+  const float spread = view.sigma * direction.dot (view.away);
+  Mean front;
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    const float x = direction.dot (projected_[i]);
+    if (heights_[i] < view.below_top && x <= range.low + face_sigmas * spread)
+      front.add (x);
+  }
+  if (view.rise < min_rise || static_cast<float> (front.count) <
+                                  min_front_part * static_cast<float> (heights_.size()))
+    return range;
+
+  // Where the rays meet the top is free of noise. A pixel sees the more of it, the further.
+  Mean top;
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    const float fall = view.camera_height - heights_[i];
+    const float x =
+        direction.dot (projected_[i]) * (view.camera_height - view.top) / fall;
+    if (heights_[i] < view.below_top || x < front.value())
+      continue;
+    const float squared_range = projected_[i].squaredNorm() + fall * fall;
+    top.add (x, squared_range * std::sqrt (squared_range));
+  }
+  if (top.count < min_top_points)
+    return range;
+  const float mirrored = 2.f * top.value() - front.value();
+  const float far_end = std::clamp (
+      mirrored, range.high - far_sigmas * spread, range.high + far_sigmas * spread);
+  return {front.value(), 0.5f * (far_end + range.high)};
 }
 
 } // namespace rgbd_planes

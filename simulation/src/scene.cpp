@@ -42,7 +42,7 @@ Scene::addBox (const Eigen::Affine3f& pose,
                const Eigen::Vector3f& size,
                const Look& look)
 {
-  addObject (look, TrueObject::Shape::box, size);
+  addObject (look, TrueObject::Shape::box, size, pose);
   std::array<Eigen::Vector3f, 8> corner;
   for (std::size_t i = 0; i < corner.size(); ++i)
     corner[i] = pose * Eigen::Vector3f (((i & 1) != 0 ? 0.5f : -0.5f) * size.x(),
@@ -61,7 +61,8 @@ Scene::addCylinder (const Eigen::Affine3f& pose,
                     float height,
                     const Look& look)
 {
-  addObject (look, TrueObject::Shape::cylinder, {2.f * radius, 2.f * radius, height});
+  addObject (
+      look, TrueObject::Shape::cylinder, {2.f * radius, 2.f * radius, height}, pose);
   std::vector<Eigen::Vector3f> rim;
   for (int i = 0; i < disc_corners; ++i) {
     const float angle = 6.2831853f * static_cast<float> (i) / disc_corners;
@@ -80,7 +81,11 @@ Scene::addCylinder (const Eigen::Affine3f& pose,
 void
 Scene::addSphere (const Eigen::Vector3f& center, float radius, const Look& look)
 {
-  addObject (look, TrueObject::Shape::sphere, Eigen::Vector3f::Constant (2.f * radius));
+  addObject (look,
+             TrueObject::Shape::sphere,
+             Eigen::Vector3f::Constant (2.f * radius),
+             Eigen::Affine3f (
+                 Eigen::Translation3f (center - radius * Eigen::Vector3f::UnitZ())));
   Surface& surface = addPolygon ({center}, look);
   surface.shape = Surface::Shape::sphere;
   surface.radius = radius;
@@ -89,10 +94,11 @@ Scene::addSphere (const Eigen::Vector3f& center, float radius, const Look& look)
 void
 Scene::addObject (const Look& look,
                   TrueObject::Shape shape,
-                  const Eigen::Vector3f& size)
+                  const Eigen::Vector3f& size,
+                  const Eigen::Affine3f& pose)
 {
   if (look.object != 0)
-    objects.push_back ({look.object, shape, size});
+    objects.push_back ({look.object, shape, size, pose});
 }
 
 } // namespace rgbd_planes

@@ -51,7 +51,7 @@ struct View {
 struct Scene {
   Eigen::Affine3f camera_to_base = Eigen::Affine3f::Identity();
   std::vector<Surface> surfaces;
-  /** What was added with an object id. */
+  /** What was added with an object id; poses are to the base frame. */
   std::vector<TrueObject> objects;
 
   void
@@ -77,7 +77,10 @@ struct Scene {
 
 private:
   void
-  addObject (const Look& look, TrueObject::Shape shape, const Eigen::Vector3f& size);
+  addObject (const Look& look,
+             TrueObject::Shape shape,
+             const Eigen::Vector3f& size,
+             const Eigen::Affine3f& pose);
 };
 
 } // namespace rgbd_planes

@@ -84,6 +84,8 @@ simulate (const std::string& scene_name, unsigned seed, Sensor sensor)
   SimulatedFrame frame;
   frame.camera_to_base = scene.camera_to_base;
   frame.objects = scene.objects;
+  for (auto& object : frame.objects)
+    object.pose = scene.camera_to_base.inverse() * object.pose;
   fillTruth (scene, camera, image, frame);
 
   Random random (seed);

@@ -53,6 +53,17 @@ TEST_F (EvaluatePlanes, SimulatedFramesAgainstTruth)
       EXPECT_LE (row["coverage_percent"], 100.);
       EXPECT_GE (row["median_angle_error_deg"], 0.);
       EXPECT_TRUE (row["curved_labelled_percent"].is_null()) << "nothing is curved";
+      EXPECT_GT (row["far_points"], 1000);
+      for (const char* key : {"far_rms_along_ray_mm", "far_rms_along_normal_mm"})
+        EXPECT_LT (row[key], row["far_rms_before_mm"]) << key;
+      EXPECT_LT (row["far_rms_fit_mm"], row["far_rms_before_mm"]);
+      if (method == "normal_space") {
+        EXPECT_LT (row["far_rms_together_mm"],
+                   0.5 * row["far_rms_before_mm"].get<double>());
+      }
+      EXPECT_GT (row["wall_pairs"], 0);
+      EXPECT_GE (row["wall_angle_percent"], 0.);
+      EXPECT_GT (row["wall_angle_fit_percent"], 0.);
     }
 }
 
@@ -92,7 +103,20 @@ TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
                           "curved_shattered_percent",
                           "right_angle_median_deg",
                           "right_angle_pairs_percent",
-                          "right_angle_frames_percent"})
+                          "right_angle_frames_percent",
+                          "right_angle_together_median_deg",
+                          "right_angle_together_pairs_percent",
+                          "far_rms_before_mm",
+                          "far_rms_along_ray_mm",
+                          "far_rms_along_normal_mm",
+                          "far_rms_together_mm",
+                          "far_rms_fit_mm",
+                          "wall_angle_median_deg",
+                          "wall_angle_percent",
+                          "wall_angle_together_median_deg",
+                          "wall_angle_together_percent",
+                          "wall_angle_fit_median_deg",
+                          "wall_angle_fit_percent"})
     EXPECT_TRUE (rows[0].at (key).is_null()) << key;
   EXPECT_EQ (rows[0]["method"], "normal_space");
   EXPECT_EQ (rows[0]["planes_found"], 1);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -143,4 +144,34 @@ TEST_F (ObjectEvaluationTest, SizesAndGraspability)
   EXPECT_EQ (evaluate().boxes_right, 0u);
   truth_.objects[0].shape = TrueObject::Shape::cylinder;
   EXPECT_EQ (evaluate().boxes, 0u);
+}
+
+TEST_F (ObjectEvaluationTest, BoxesWhoseSidesAreSeen)
+{
+  // The points are a row along one of its sides, 5 cm above its foot.
+  TrueObject box{1, TrueObject::Shape::box, {0.1f, 0.009f, 0.05f}};
+  box.pose = Eigen::Translation3f (0.05f, 0.f, 0.95f);
+  const auto count = [&] (const Eigen::Vector3f& size) {
+    truth_.objects = {box};
+    truth_.objects[0].size = size;
+    return evaluate();
+  };
+  found_[0].size = {0.012f, 0.1f, 0.05f};
+  EXPECT_EQ (count (box.size).boxes_seen, 1u);
+  EXPECT_EQ (count (box.size).boxes_seen_right, 1u);
+  EXPECT_EQ (count ({0.111f, 0.009f, 0.05f}).boxes_seen, 0u);
+  EXPECT_EQ (count ({0.1f, 0.011f, 0.05f}).boxes_seen, 0u);
+  EXPECT_EQ (count ({0.1f, 0.009f, 0.061f}).boxes_seen, 0u);
+  EXPECT_EQ (count ({0.1f, 0.009f, 0.061f}).boxes, 1u);
+  EXPECT_EQ (count ({0.1f, 0.009f, 0.061f}).boxes_seen_right, 0u);
+  found_[0].size.z() = 0.07f;
+  EXPECT_EQ (count (box.size).boxes_seen, 1u);
+  EXPECT_EQ (count (box.size).boxes_seen_right, 0u);
+  for (int i = 88; i < 100; ++i)
+    points_[static_cast<std::size_t> (3 * i)] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ (count (box.size).boxes_seen, 0u);
+  // Turned, the same side is another one.
+  box.pose = box.pose * Eigen::AngleAxisf (0.5f * static_cast<float> (M_PI),
+                                           Eigen::Vector3f::UnitZ());
+  EXPECT_EQ (count ({0.009f, 0.09f, 0.05f}).boxes_seen, 1u);
 }

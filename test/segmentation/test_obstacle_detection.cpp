@@ -168,6 +168,7 @@ TEST (ObstacleDetection, WhatDoesNotStickOutButIsTurnedIsAnObstacle)
       (*scene.normals) (u, v).getNormalVector3fMap() = turned;
   const Result result = detect (scene);
   ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_EQ (result.count (ObstacleClass::speck), 0u);
   EXPECT_GT (result.obstacles[0].indices.size(), 0.85 * 40 * 60);
   EXPECT_EQ (result.count (ObstacleClass::obstacle),
              result.obstacles[0].indices.size());
@@ -191,6 +192,54 @@ TEST (ObstacleDetection, ARampIsAnObstacleFromItsToeOn)
   EXPECT_GT (share (scene, result, 1, 1, ObstacleClass::obstacle), 0.95);
   EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
   EXPECT_LT (result.obstacles[0].distance, 1.03f);
+}
+
+TEST (ObstacleDetection, ASlopeAcrossTheHeightOfTheFloorIsNoFloor)
+{
+  // 17 degrees, as far above z = 0 as below.
+  const Patch slope{Eigen::Vector3f (-0.3f, 0.f, 1.f).normalized(),
+                    {1.5f, 0.f, 0.f},
+                    [] (const Eigen::Vector3f& p) { return std::abs (p.z()) < 0.1f; }};
+  const FloorScene scene ({slope}, pose);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  detection.setFloorTolerances (0.35f, 0.1f);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+}
+
+TEST (ObstacleDetection, ObstaclesHaveDistanceAndDirection)
+{
+  // Left of the robot, then right of it: their corners are nearest.
+  for (const float side : {1.f, -1.f}) {
+    const auto thing = box ({1.2f, std::min (0.3f * side, 0.5f * side), 0.f},
+                            {1.5f, std::max (0.3f * side, 0.5f * side), 0.3f});
+    const Result result = detect (FloorScene (only_floor + thing, pose, 320));
+    ASSERT_EQ (result.obstacles.size(), 1u);
+    EXPECT_NEAR (result.obstacles[0].distance, std::hypot (1.2f, 0.3f), 0.01f);
+    EXPECT_NEAR (result.obstacles[0].direction, side * std::atan2 (0.3f, 1.2f), 0.01f);
+  }
+}
+
+TEST (ObstacleDetection, AGapOfOnePixelDoesNotCutAnObstacle)
+{
+  const Result whole = detect (FloorScene (only_floor + a_box, pose));
+  for (const bool is_column : {true, false}) {
+    FloorScene scene (only_floor + a_box, pose);
+    const auto& found = whole.obstacles.at (0).indices;
+    const auto middle = static_cast<std::uint32_t> (found[found.size() / 2]);
+    const std::uint32_t u = 80, v = middle / 160;
+    for (std::uint32_t k = 0; k < (is_column ? scene.cloud->height : 160u); ++k)
+      (is_column ? (*scene.cloud) (u, k) : (*scene.cloud) (k, v))
+          .getVector3fMap()
+          .setConstant (not_a_number);
+    const Result result = detect (scene);
+    EXPECT_EQ (result.obstacles.size(), 1u) << is_column;
+    EXPECT_EQ (result[v * 160 + u], ObstacleClass::unmeasured);
+  }
 }
 
 TEST (ObstacleDetection, ATableIsAnObstacleThoughHorizontal)

@@ -248,6 +248,29 @@ TEST (SupportedObjectExtraction, HullTolerance)
   EXPECT_GT (bestIou (extract (extraction, much), much, 2), 0.85);
 }
 
+TEST (SupportedObjectExtraction, ThingsBesideATurnedTableAreNotOnIt)
+{
+  // One in front of an edge, on nothing; a box around the table along x and y holds it.
+  const Box turned{{1.2f, 0.f, 0.66f}, {0.6f, 0.6f, 0.04f}, 0.785f};
+  const Box in_the_air = onTable (0.9f, 0.3f, {0.08f, 0.08f, 0.1f}, 0.785f);
+  const Box on_it = onTable (1.2f, 0.f, {0.08f, 0.08f, 0.1f});
+  const View view = look ({floor_slab, turned, in_the_air, on_it});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 3), 0.85);
+}
+
+TEST (SupportedObjectExtraction, DefaultsAreThoseOfThePaper)
+{
+  const Extraction extraction;
+  EXPECT_FLOAT_EQ (extraction.getMinPlaneHeight(), 0.f);
+  EXPECT_FLOAT_EQ (extraction.getMaxPlaneHeight(), 1.2f);
+  EXPECT_FLOAT_EQ (extraction.getMaxObjectHeight(), 0.3f);
+  EXPECT_EQ (extraction.getMinPoints(), 50u);
+  EXPECT_FLOAT_EQ (extraction.getMinGraspableSide(), 0.01f);
+  EXPECT_FLOAT_EQ (extraction.getMaxGraspableSide(), 0.1f);
+}
+
 TEST (SupportedObjectExtraction, MinPoints)
 {
   const View view =

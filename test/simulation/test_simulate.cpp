@@ -140,6 +140,27 @@ TEST_P (Scenes, OnlyTheFloorIsNoObstacle)
   }
 }
 
+TEST_P (Scenes, ObjectsAreWhereTheirPointsAre)
+{
+  const auto frame = simulate (GetParam(), 1, Sensor::ideal);
+  for (const auto& object : frame.objects) {
+    const Eigen::Affine3f to_object = object.pose.inverse();
+    const Eigen::Vector3f high (
+        0.5f * object.size.x(), 0.5f * object.size.y(), object.size.z());
+    const Eigen::Vector3f low (-high.x(), -high.y(), 0.f);
+    for (const auto& point : *frame.truth) {
+      if (point.object != object.id)
+        continue;
+      const Eigen::Vector3f p = to_object * point.getVector3fMap();
+      const float outside = (low - p).cwiseMax (p - high).maxCoeff();
+      EXPECT_LT (outside, 1e-4f) << object.id;
+      if (object.shape == pcl::rgbd_planes::TrueObject::Shape::box) {
+        EXPECT_GT (outside, -1e-4f) << object.id;
+      }
+    }
+  }
+}
+
 TEST_P (Scenes, TheSameSeedGivesTheSameBytes)
 {
   const auto first = simulate (GetParam(), 7, Sensor::kinect);

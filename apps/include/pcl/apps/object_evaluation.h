@@ -74,6 +74,12 @@ public:
   std::size_t boxes = 0;
   /** Of \ref boxes, those whose three sides are right within 1 cm or 10 %. */
   std::size_t boxes_right = 0;
+  /** Of \ref boxes, those whose measured points are spread, within 1 cm or 10 %, over both
+   * horizontal sides and up to the top: no part that matters is hidden behind another object,
+   * in a shadow of the sensor, or outside of the image. */
+  std::size_t boxes_seen = 0;
+  /** Of \ref boxes_seen, those whose three sides are right within 1 cm or 10 %. */
+  std::size_t boxes_seen_right = 0;
 
   ObjectCounts
   all () const;
@@ -85,7 +91,9 @@ public:
 
 private:
   void
-  countSize (const TrueObject& object, const FoundObject& found);
+  countSize (const TrueObject& object,
+             const std::vector<Eigen::Vector3f>& positions,
+             const FoundObject& found);
 
   std::size_t measured_ = 0;
   std::size_t false_points_ = 0;

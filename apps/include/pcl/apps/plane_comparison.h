@@ -7,6 +7,7 @@
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/object_label_evaluation.h>
 #include <pcl/apps/output_files.h>
+#include <pcl/apps/plane_correction.h>
 #include <pcl/apps/plane_evaluation.h>
 #include <pcl/apps/plane_methods.h>
 #include <pcl/apps/right_angles.h>
@@ -31,6 +32,8 @@ struct PlaneResult {
   ObjectLabelEvaluation object_labels;
   CurvedPoints curved;
   RightAngles right_angles;
+  RightAngles right_angles_together; // of the planes after fitTogether()
+  PlaneCorrection correction;
 };
 
 /** \brief Runs all methods on frames and scores the planes that they find. True planes
@@ -71,7 +74,7 @@ private:
 
   void
   score (const Frame& frame,
-         const pcl::PointCloud<pcl::PointXYZ>& cloud,
+         const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
          const Run& run,
          PlaneResult& result) const;
 

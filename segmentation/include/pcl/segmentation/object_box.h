@@ -26,15 +26,51 @@ class PCL_RGBD_PLANES_EXPORTS ObjectBoxFinder {
 public:
   /** \brief The box that stands on the plane, is as high as the points, and has the smallest
    * rectangle around them for its ground; a few points, such as flying pixels, may stick out.
+   *
+   * Noise of depth spreads points along the view. Where a front and a top are seen, the
+   * near end is where the front is in the mean. The far end is half-way between the furthest
+   * points and where it is if the middle of the top is the middle of the thing: the
+   * middle is more certain than a margin that few pixels see at a flat angle.
    * \param[in] indices measured points, at least one
    */
   ObjectBox
   compute (const OrganizedPoints& points,
            const pcl::Indices& indices,
-           const SupportPlane& support);
+           const SupportPlane& support,
+           const DepthNoise& noise);
+
+  /** \brief Of coordinates along a direction. */
+  struct Range {
+    float low = 0.f;
+    float high = 0.f;
+  };
 
 private:
+  /** \brief How the camera sees a thing; heights are those above the supporting plane. */
+  struct View {
+    float camera_height = 0.f;
+    float sigma = 0.f; // of depth
+    /** The part of the ray to the middle, of length 1, that lies in the plane, and how much
+     * it falls towards the plane. */
+    Eigen::Vector2f away = Eigen::Vector2f::Zero();
+    float rise = 0.f;
+    float top = 0.f;       // in the mean
+    float below_top = 0.f; // lower points are not of the top
+  };
+
+  /** \brief How the camera sees the points at hand, the highest ones at \a height. */
+  View
+  viewFrom (float camera_height, float height, const DepthNoise& noise) const;
+
+  /** \brief Moves the ends of the range along a direction away from the camera to where they
+   * are without noise, if a front and a top are seen. */
+  Range
+  withoutNoise (const Range& range,
+                const Eigen::Vector2f& direction,
+                const View& view) const;
+
   std::vector<Eigen::Vector2f> projected_;
+  std::vector<float> heights_;
   std::vector<float> values_;
   std::vector<Eigen::Vector2f> border_;
   std::vector<Eigen::Vector2f> hull_;

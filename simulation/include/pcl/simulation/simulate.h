@@ -35,6 +35,9 @@ struct TrueObject {
   Shape shape = Shape::box;
   /** Sides of the smallest box around it that stands as it does, height last; metres. */
   Eigen::Vector3f size = Eigen::Vector3f::Zero();
+  /** To the camera frame, from one whose axes are along its sides, z up, with the origin in
+   * the middle of the side it stands on. */
+  Eigen::Affine3f pose = Eigen::Affine3f::Identity();
 };
 
 /** \brief A simulated frame of Camera{} and its ground truth. */

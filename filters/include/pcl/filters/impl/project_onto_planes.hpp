@@ -67,6 +67,12 @@ ProjectOntoPlanes<PointT>::assignPlanes()
                size);
     return false;
   }
+  if (fit_together_ && !rgbd_planes::isImage (*input_)) {
+    PCL_ERROR ("[pcl::%s] %s\n",
+               getClassName().c_str(),
+               rgbd_planes::notAnImage (*input_).c_str());
+    return false;
+  }
   plane_of_.assign (size, std::numeric_limits<std::uint32_t>::max());
   if (labels_)
     for (std::size_t i = 0; i < size; ++i)
@@ -85,11 +91,14 @@ ProjectOntoPlanes<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
+  fitted_ = planes_;
+  if (fit_together_)
+    fit_.compute (rgbd_planes::viewPoints (*input_), plane_of_, noise_, fitted_);
   output = *input_;
   for (const pcl::index_t index : *indices_) {
     const auto i = static_cast<std::size_t> (index);
-    if (plane_of_[i] < planes_.size() && rgbd_planes::isMeasured (&output[i].x))
-      project (planes_[plane_of_[i]], output[i]);
+    if (plane_of_[i] < fitted_.size() && rgbd_planes::isMeasured (&output[i].x))
+      project (fitted_[plane_of_[i]], output[i]);
   }
 }
 

@@ -233,7 +233,8 @@ SupportedObjectExtraction<PointT, PointNT>::describe (
     SupportedObject& object)
 {
   const auto& support = supports_.planes()[cluster.support];
-  const rgbd_planes::ObjectBox box = boxes_.compute (points, cluster.indices, support);
+  const rgbd_planes::ObjectBox box =
+      boxes_.compute (points, cluster.indices, support, parameters_.noise);
   object.indices.header = input_->header;
   object.indices.indices = cluster.indices;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
