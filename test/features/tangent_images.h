@@ -53,15 +53,23 @@ struct Image {
 using ImageNormals = std::vector<Eigen::Vector4f>;
 
 inline ImageNormals
-compute (const Image& image, const TangentNormalParameters& parameters = {})
+compute (pcl::rgbd_planes::TangentNormals& estimator,
+         const Image& image,
+         const TangentNormalParameters& parameters)
 {
   // Whatever is not written must not look like a normal.
   ImageNormals normals (image.points.size(), Eigen::Vector4f::Constant (7.f));
-  pcl::rgbd_planes::TangentNormals().compute (
-      {image.points[0].data(), 3, image.width, image.height},
-      parameters,
-      {normals[0].data(), normals[0].data() + 3, 4});
+  estimator.compute ({image.points[0].data(), 3, image.width, image.height},
+                     parameters,
+                     {normals[0].data(), normals[0].data() + 3, 4});
   return normals;
+}
+
+inline ImageNormals
+compute (const Image& image, const TangentNormalParameters& parameters = {})
+{
+  pcl::rgbd_planes::TangentNormals estimator;
+  return compute (estimator, image, parameters);
 }
 
 /** The paper's estimator, with areas of this size in pixels. */

@@ -163,3 +163,25 @@ TEST (TangentNormalRobustness, SameBitsForAnyNumberOfBands)
       }
     }
 }
+
+TEST (TangentNormalRobustness, FramesLeaveNothingBehind)
+{
+  // Rows of these widths are filled up to the same lengths.
+  const Image images[] = {roughImage (160, 60, 1),
+                          roughImage (151, 60, 2),
+                          roughImage (160, 47, 3),
+                          roughImage (640, 60, 4),
+                          roughImage (627, 60, 5)};
+  for (const auto& mode : allModes()) {
+    pcl::rgbd_planes::TangentNormals used;
+    for (const Image& image : images) {
+      const ImageNormals normals = compute (used, image, mode),
+                         first = compute (image, mode);
+      EXPECT_EQ (std::memcmp (normals.data(),
+                              first.data(),
+                              first.size() * sizeof (Eigen::Vector4f)),
+                 0)
+          << image.width << " x " << image.height;
+    }
+  }
+}
