@@ -4,7 +4,9 @@
 #include <pcl/segmentation/object_box.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace pcl {
@@ -71,19 +73,40 @@ smallestRectangle (const std::vector<Eigen::Vector2f>& corners)
   return best;
 }
 
-/** The range of the values but for a few at either end; changes their order. */
+/** The range of the values but for a few at either end: those in the bins of a histogram
+ * where it ends are sorted. */
 ObjectBoxFinder::Range
-trimmedRange (std::vector<float>& values)
+trimmedRange (const std::vector<float>& values)
 {
+  constexpr std::size_t bins = 64;
+  const auto [lowest, highest] = std::minmax_element (values.begin(), values.end());
+  const float low = *lowest, bins_per_unit = bins / (*highest - low);
+  if (!std::isfinite (bins_per_unit))
+    return {low, *highest};
+  std::array<std::uint16_t, bins> counts{};
+  std::array<std::uint8_t, max_points> bin_of;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    bin_of[i] = static_cast<std::uint8_t> (
+        std::min ((values[i] - low) * bins_per_unit, bins - 1.f));
+    ++counts[bin_of[i]];
+  }
+  std::array<float, max_points> in_bin;
+  const auto select = [&] (std::size_t rank) {
+    std::size_t bin = 0;
+    for (; rank >= counts[bin]; ++bin)
+      rank -= counts[bin];
+    auto end = in_bin.begin();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      *end = values[i];
+      end += bin_of[i] == bin;
+    }
+    const auto selected = in_bin.begin() + static_cast<std::ptrdiff_t> (rank);
+    std::nth_element (in_bin.begin(), selected, end);
+    return *selected;
+  };
   const auto trimmed =
-      static_cast<std::ptrdiff_t> (trimmed_part * static_cast<float> (values.size()));
-  const auto low = values.begin() + trimmed, high = values.end() - 1 - trimmed;
-  std::nth_element (values.begin(), low, values.end());
-  ObjectBoxFinder::Range range;
-  range.low = *low;
-  std::nth_element (low, high, values.end());
-  range.high = *high;
-  return range;
+      static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
+  return {select (trimmed), select (values.size() - 1 - trimmed)};
 }
 
 /** The mean of some values. */

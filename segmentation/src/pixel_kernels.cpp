@@ -75,7 +75,8 @@ loadPixelsHere (const float* first,
                 float* z)
 {
   const std::size_t lanes = hn::Lanes (Floats());
-  constexpr std::size_t ahead = 2560, cache_line = 16; // floats; a row of 640 points
+  constexpr std::size_t cache_line = 16; // floats
+  const std::size_t next_tile = 4 * run;
   // In PCL's points, x begins a block of 16 bytes; elsewhere the last one may end with z.
   const bool has_blocks =
       stride == 4 && reinterpret_cast<std::uintptr_t> (first) % 16 == 0;
@@ -85,7 +86,7 @@ loadPixelsHere (const float* first,
       V unused;
       const float* from = first + 4 * offsets[i];
       for (std::size_t k = 0; k < 4 * lanes; k += cache_line)
-        hwy::Prefetch (from + ahead + k);
+        hwy::Prefetch (from + next_tile + k);
       hn::LoadInterleaved4 (Floats(), from, p.x, p.y, p.z, unused);
       hn::StoreU (p.x, Floats(), x + i);
       hn::StoreU (p.y, Floats(), y + i);
