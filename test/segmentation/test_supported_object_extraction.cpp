@@ -233,6 +233,32 @@ TEST (SupportedObjectExtraction, LowThingsAreNoise)
   EXPECT_EQ (extract (extraction, far (0.05f)).size(), 1u);
 }
 
+TEST (SupportedObjectExtraction, ObjectsHaveClearPoints)
+{
+  // A sheet is lower than an object; a tower on it is not.
+  const auto sheetAndTower = [] (float sheet, float tower) {
+    return look ({floor_slab,
+                  table,
+                  onTable (0.95f, 0.f, {sheet, sheet, 0.008f}),
+                  {{0.95f, 0.f, table_height + 0.008f}, {tower, tower, 0.03f}}});
+  };
+  const auto found = [] (const View& view, unsigned min_points) {
+    Extraction extraction;
+    extraction.setMinPoints (min_points);
+    return extract (extraction, view);
+  };
+  // A quarter of the points must be clear.
+  EXPECT_EQ (found (sheetAndTower (0.03f, 0.03f), 50).size(), 1u);
+  EXPECT_TRUE (found (sheetAndTower (0.15f, 0.03f), 50).empty());
+  // And 0.6 of the smallest number of points.
+  const View view = sheetAndTower (0.06f, 0.03f);
+  const Objects objects = found (view, 50);
+  ASSERT_EQ (objects.size(), 1u);
+  const auto points = static_cast<unsigned> (objects.front().indices.indices.size());
+  EXPECT_EQ (found (view, points / 2).size(), 1u);
+  EXPECT_TRUE (found (view, points).empty());
+}
+
 TEST (SupportedObjectExtraction, HullTolerance)
 {
   // Things hang over the edge of the table on the left, by 2 cm and by 8 cm.
