@@ -85,6 +85,10 @@ FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 FrameSummary
 FrameSegmenter::segment (const Frame& frame)
 {
+  if (!has_memory_) {
+    has_memory_ = true;
+    segment (frame);
+  }
   const auto& cloud = *frame.cloud;
   FrameSummary summary;
   summary.name = frame.name;

@@ -37,8 +37,9 @@ const char usage[] =
     R"(pcl_segment_planes INPUT [options]
 
 Finds the planes of RGB-D frames, objects on them, and obstacles. Prints a list of them and
-the time of each stage; writes pictures, clouds and tables where --output says so. Files
-appear when all frames are done; after an error there are none.
+the time of each stage, with memory in place: the first frame is computed twice. Writes
+pictures, clouds and tables where --output says so. Files appear when all frames are done;
+after an error there are none.
 
   pcl_segment_planes my.pcd --output result
   pcl_segment_planes depth.png --intrinsics 525,525,319.5,239.5 --depth-scale 1000

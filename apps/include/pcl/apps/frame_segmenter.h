@@ -92,6 +92,8 @@ class FrameSegmenter {
 public:
   explicit FrameSegmenter (const SegmenterOptions& options);
 
+  /** \brief The first frame is segmented twice, so that all times are those with memory in
+   * place. */
   FrameSummary
   segment (const Frame& frame);
 
@@ -142,6 +144,7 @@ private:
   findObstacles (const Frame& frame, FrameSummary& summary);
 
   SegmenterOptions options_;
+  bool has_memory_ = false;
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZRGB, pcl::Normal> estimation_;
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZRGB, pcl::Normal> segmentation_;
   pcl::SupportedObjectExtraction<pcl::PointXYZRGB, pcl::Normal> extraction_;
