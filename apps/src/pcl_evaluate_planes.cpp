@@ -35,10 +35,10 @@ label of a plane, and of one that has most of its points on such surfaces (shatt
 Of simulated frames a third table tells what the correction of depth by ProjectOntoPlanes
 gains: rms distance to the true planes of all their points at 3.5 to 6 m, away from edges,
 before, moved along their rays, along the normals, along their rays onto planes that were
-fitted together, and onto those that least squares fits to the true labels (fit). Walls are vertical true planes of 2 % of
-the pixels and more, in pairs at 30 degrees and more: how far the angle between the planes
-with at least half of their points is from the true one (inf: not found), and the same of
-planes that were fitted together and of the fits.
+fitted together, and onto those that least squares fits to the true labels (fit). Walls
+are vertical true planes of 2 % of the pixels and more, in pairs at 30 degrees and more:
+how far the angle between the planes with at least half of their points is from the true
+one (inf: not found), and the same of planes that were fitted together and of the fits.
 
   pcl_evaluate_planes sim:room:{1..10} --json planes.json
   pcl_evaluate_planes folder_of_pcds --right-angles floor

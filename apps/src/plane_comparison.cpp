@@ -103,7 +103,7 @@ PlaneComparison::score (const Frame& frame,
   if (right_angles_) {
     result.right_angles.add (points, run.found, *right_angles_);
     result.right_angles_together.add (
-        points, fitTogether (cloud, run.found), *right_angles_);
+        points, fitTogether (points, run.found), *right_angles_);
   }
 }
 

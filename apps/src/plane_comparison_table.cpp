@@ -187,32 +187,34 @@ jsonRow (const PlaneResult& result)
       {"wall_angle_fit_percent", c.fits_walls.withinPercent()}};
 }
 
-std::string
-sceneTable (const std::vector<PlaneResult>& results)
-{
-  std::string text =
-      "\n"
-      "method        size   table IoU  worst  purity  curved labelled  shattered"
-      "  right angles  pairs in 2 deg   frames  of frames  together  pairs in 2 deg\n"
-      "                                            %                %          %"
-      "        off by               %        %               off by               %\n";
-  for (const auto& result : results)
-    text += sceneRow (result);
-  return text;
-}
+const char main_header[] =
+    "method        size        ms   worst  truth  found  correct   over  under  missed"
+    "  noise    F1   IoU  covered    off   angle  distance\n"
+    "                                                       80 %                      "
+    "          0.5           %      %     deg        mm\n";
+
+const char scene_header[] =
+    "\n"
+    "method        size   table IoU  worst  purity  curved labelled  shattered"
+    "  right angles  pairs in 2 deg   frames  of frames  together  pairs in 2 deg\n"
+    "                                            %                %          %"
+    "        off by               %        %               off by               %\n";
+
+const char correction_header[] =
+    "\n"
+    "method        size  far points  rms before  along ray  along normal  together"
+    "   fit  wall pairs  off by   in 1 deg  together  in 1 deg    fit  in 1 deg\n"
+    "                                       mm         mm            mm        mm"
+    "    mm                 deg         %       deg         %    deg         %\n";
 
 std::string
-correctionTable (const std::vector<PlaneResult>& results)
+table (std::string header,
+       std::string (*row) (const PlaneResult&),
+       const std::vector<PlaneResult>& results)
 {
-  std::string text =
-      "\n"
-      "method        size  far points  rms before  along ray  along normal  together"
-      "   fit  wall pairs  off by   in 1 deg  together  in 1 deg    fit  in 1 deg\n"
-      "                                       mm         mm            mm        mm"
-      "    mm                 deg         %       deg         %    deg         %\n";
   for (const auto& result : results)
-    text += correctionRow (result);
-  return text;
+    header += row (result);
+  return header;
 }
 
 } // namespace
@@ -220,18 +222,11 @@ correctionTable (const std::vector<PlaneResult>& results)
 std::string
 planeComparisonTable (const std::vector<PlaneResult>& results)
 {
-  std::string text = "method        size        ms   worst  truth  found  correct   "
-                     "over  under  missed"
-                     "  noise    F1   IoU  covered    off   angle  distance\n"
-                     "                                                       80 %      "
-                     "                "
-                     "          0.5           %      %     deg        mm\n";
-  for (const auto& result : results)
-    text += mainRow (result);
+  std::string text = table (main_header, mainRow, results);
   if (std::any_of (results.begin(), results.end(), hasSceneFigures))
-    text += sceneTable (results);
+    text += table (scene_header, sceneRow, results);
   if (std::any_of (results.begin(), results.end(), hasCorrection))
-    text += correctionTable (results);
+    text += table (correction_header, correctionRow, results);
   return text;
 }
 

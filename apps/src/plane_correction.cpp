@@ -6,6 +6,7 @@
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/project_onto_planes.h>
+#include <pcl/filters/warped_plane_fit.h>
 #include <pcl/segmentation/plane_assignment.h>
 #include <pcl/segmentation/plane_moments.h>
 
@@ -54,17 +55,10 @@ countPoints (const Cloud& cloud, const PlaneSet& truth)
   return points;
 }
 
-/** What points become, and the planes they were moved onto. */
-struct Corrected {
-  Cloud cloud;
-  PlaneSet planes;
-};
-
-Corrected
+Cloud
 project (const Cloud::ConstPtr& cloud,
          const PlaneSet& planes,
-         Projection::Direction direction,
-         bool fit_together = false)
+         Projection::Direction direction)
 {
   std::vector<pcl::ModelCoefficients> models (planes.coefficients.size());
   for (std::size_t k = 0; k < models.size(); ++k)
@@ -79,11 +73,8 @@ project (const Cloud::ConstPtr& cloud,
   projection.setDirection (direction);
   projection.setInputCloud (cloud);
   projection.setPlanes (models, labels);
-  projection.setFitTogether (fit_together);
-  Corrected result;
-  projection.filter (result.cloud);
-  const auto& fitted = projection.getPlanes();
-  result.planes = {{fitted.begin(), fitted.end()}, planes.labels};
+  Cloud result;
+  projection.filter (result);
   return result;
 }
 
@@ -181,9 +172,12 @@ addWalls (const TrueFrame& frame,
 } // namespace
 
 PlaneSet
-fitTogether (const Cloud::ConstPtr& cloud, const PlaneSet& planes)
+fitTogether (const OrganizedPoints& points, const PlaneSet& planes)
 {
-  return project (cloud, planes, Projection::Direction::viewing_ray, true).planes;
+  WarpedPlaneFit::Planes fitted (planes.coefficients.begin(),
+                                 planes.coefficients.end());
+  WarpedPlaneFit().compute (points, planes.labels, DepthNoise(), fitted);
+  return {{fitted.begin(), fitted.end()}, planes.labels};
 }
 
 double
@@ -201,10 +195,7 @@ WallAngles::medianDegrees() const
 double
 WallAngles::withinPercent() const
 {
-  const auto good = std::count_if (errors.begin(), errors.end(), [] (double error) {
-    return error <= good_within_deg;
-  });
-  return percentOf (static_cast<std::size_t> (good), errors.size());
+  return percentUpTo (good_within_deg, errors);
 }
 
 void
@@ -217,12 +208,11 @@ PlaneCorrection::add (const Cloud::ConstPtr& cloud,
 {
   const TrueFrame frame{*cloud, truth, pixels, countPoints (*cloud, truth)};
   const PlaneSet fits = fitPlanes (frame);
-  const PlaneSet fitted_together = fitTogether (cloud, found);
+  const PlaneSet fitted_together = fitTogether (viewPoints (*cloud), found);
   using Direction = Projection::Direction;
   const auto addProjected =
       [&] (const PlaneSet& planes, Direction direction, Residuals& residuals) {
-        addResiduals (
-            frame, project (cloud, planes, direction).cloud, min_points, residuals);
+        addResiduals (frame, project (cloud, planes, direction), min_points, residuals);
       };
   addResiduals (frame, *cloud, min_points, before);
   addProjected (found, Direction::viewing_ray, along_ray);

@@ -83,11 +83,7 @@ RightAngles::medianDegrees() const
 double
 RightAngles::pairsWithinPercent() const
 {
-  const auto good =
-      std::count_if (deviations_.begin(), deviations_.end(), [] (double degrees) {
-        return degrees <= good_within_deg;
-      });
-  return percentOf (static_cast<std::size_t> (good), deviations_.size());
+  return percentUpTo (good_within_deg, deviations_);
 }
 
 double

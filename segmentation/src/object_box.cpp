@@ -146,8 +146,7 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
     projected_.push_back (support.project (p));
     heights_.push_back (support.plane.distance (p));
   }
-  values_ = heights_;
-  const float height = trimmedRange (values_).high;
+  const float height = trimmedRange (heights_).high;
   border_ = projected_;
   convexHull (border_, hull_);
   const View view = viewFrom (support.plane.d, height, noise);

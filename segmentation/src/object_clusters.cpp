@@ -148,12 +148,13 @@ ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& s
 ObjectClusters::Place
 ObjectClusters::settle (std::uint32_t i, std::size_t base) const
 {
+  const auto width = static_cast<std::uint32_t> (points_.width);
   const float* p = points_[i];
   if (bases_[base]->outline.contains (bases_[base]->project (p)))
     return isUnder (base, p) ? outside : static_cast<Place> (above + base);
   while (++base < bases_.size()) {
     const Plane& plane = bases_[base]->plane;
-    const float height = heightAbove (*bases_[base], i);
+    const float height = heightAbove (*bases_[base], i / width, i % width);
     if (!(std::fabs (height) <= parameters_.max_object_height))
       continue;
     // Outside of the hull it makes no difference.
@@ -177,12 +178,13 @@ ObjectClusters::isUnder (std::size_t base, const float* p) const
 
 /** Over the plane as the camera bends it. */
 float
-ObjectClusters::heightAbove (const SupportPlane& support, std::uint32_t i) const
+ObjectClusters::heightAbove (const SupportPlane& support,
+                             std::uint32_t v,
+                             std::uint32_t u) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  return support.plane.distance (points_[i]) -
-         support.warp.row (
-             static_cast<int> (i / width))[i % width / PointRow::block_size];
+  return support.plane.distance (points_[v * width + u]) -
+         support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
 }
 
 void
@@ -210,11 +212,11 @@ std::size_t
 ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  const float* warp = support.warp.row (static_cast<int> (run.first / width));
+  const std::uint32_t v = run.first / width, u = run.first % width;
   std::size_t count = 0;
-  for (std::uint32_t k = 0, u = run.first % width; k < run.length; ++k, ++u) {
+  for (std::uint32_t k = 0; k < run.length; ++k) {
     const float* p = points_[run.first + k];
-    const float height = support.plane.distance (p) - warp[u / PointRow::block_size];
+    const float height = heightAbove (support, v, u + k);
     count += height >= parameters_.min_object_height &&
              !isWithinNoise (p, support.plane, height, clear_sigmas, parameters_.noise);
   }
@@ -227,9 +229,10 @@ ObjectClusters::leaks (const Run& run) const
   const auto width = static_cast<std::uint32_t> (points_.width);
   const LinkLimit limit = linkLimit (parameters_, pixel_angle_);
   const std::uint32_t u = run.first % width, last = run.first + run.length - 1;
-  const bool has_above = run.first >= width,
-             has_below = last + width<points_.size(), has_left = u> 0,
-             has_right = u + run.length < width;
+  const bool has_above = run.first >= width;
+  const bool has_below = last + width < points_.size();
+  const bool has_left = u > 0;
+  const bool has_right = u + run.length < width;
   std::size_t count = 0;
   for (std::uint32_t i = run.first; i <= last; ++i) {
     const auto leaksTo = [&] (std::uint32_t j) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/apps/plane_evaluation.h>
+#include <pcl/features/organized_view.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/simulation/truth_point.h>
@@ -17,8 +18,7 @@ namespace rgbd_planes {
 /** \brief The planes as ProjectOntoPlanes::setFitTogether (true) makes them, with the labels
  * they have. */
 PlaneSet
-fitTogether (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-             const PlaneSet& planes);
+fitTogether (const OrganizedPoints& points, const PlaneSet& planes);
 
 /** \brief Distances of points from where they should be. */
 struct Residuals {

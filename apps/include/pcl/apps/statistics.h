@@ -39,5 +39,14 @@ percentOf (std::size_t part, std::size_t whole)
   return 100. * static_cast<double> (part) / static_cast<double> (whole);
 }
 
+/** \brief How many of \a values are up to \a limit, in percent; NaN where there are none. */
+inline double
+percentUpTo (double limit, const std::vector<double>& values)
+{
+  const auto part = std::count_if (
+      values.begin(), values.end(), [limit] (double value) { return value <= limit; });
+  return percentOf (static_cast<std::size_t> (part), values.size());
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

@@ -84,7 +84,7 @@ private:
   settle (std::uint32_t i, std::size_t base) const;
 
   float
-  heightAbove (const SupportPlane& support, std::uint32_t i) const;
+  heightAbove (const SupportPlane& support, std::uint32_t v, std::uint32_t u) const;
 
   bool
   isUnder (std::size_t base, const float* p) const;
