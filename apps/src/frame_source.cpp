@@ -10,6 +10,8 @@
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 
+#include <boost/algorithm/string/split.hpp>
+
 #include <algorithm>
 #include <fstream>
 #include <memory>
@@ -121,10 +123,10 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   else if (fs::exists (status))
     addFile (input);
   else
-    throw AppError (
-        input +
-        ": no such file or folder; INPUT is a .pcd file, a depth .png, "
-        "a folder of either, a TUM RGB-D folder, sim:SCENE[:SEED] or live:[DEVICE]");
+    throw AppError (input +
+                    ": no such file or folder; INPUT is a .pcd file, a depth .png, "
+                    "a folder of either, a TUM RGB-D folder, sim:SCENE[:SEED[:CAMERA]] "
+                    "or live:[DEVICE]");
 
   std::set<std::string> names;
   for (const auto& frame : frames_)
@@ -154,12 +156,11 @@ FrameSource::read (std::size_t i) const
 }
 
 void
-FrameSource::addSimulated (const std::string& scene_and_seed)
+FrameSource::addSimulated (const std::string& description)
 {
-  const auto colon = std::min (scene_and_seed.find (':'), scene_and_seed.size());
-  const std::string scene = scene_and_seed.substr (0, colon);
-  const std::string seed_text =
-      colon < scene_and_seed.size() ? scene_and_seed.substr (colon + 1) : "1";
+  std::vector<std::string> parts; // scene, seed, camera
+  boost::split (parts, description, [] (char c) { return c == ':'; });
+  const std::string& scene = parts[0];
   const auto& names = sceneNames();
   if (std::find (names.begin(), names.end(), scene) == names.end()) {
     std::string known;
@@ -168,17 +169,28 @@ FrameSource::addSimulated (const std::string& scene_and_seed)
     throw AppError (options_.input + ": unknown scene '" + scene + "'; known are " +
                     known);
   }
-  const auto seed = parseNumber<unsigned> (options_.input + ": the seed", seed_text);
+  if (parts.size() > 3)
+    throw AppError (options_.input + ": more than SCENE:SEED:CAMERA; leave out what "
+                                     "follows the camera");
+  const auto number = [&] (std::size_t part, const char* name) {
+    return parseNumber<unsigned> (options_.input + ": the " + name, parts[part]);
+  };
+  const unsigned seed = parts.size() > 1 ? number (1, "seed") : 1;
+  std::optional<unsigned> camera;
+  if (parts.size() > 2)
+    camera = number (2, "camera");
   refuseDepthOptions (options_, options_.input);
-  frames_.push_back (
-      {scene + '_' + std::to_string (seed), [scene, seed] (Frame& frame) {
-         SimulatedFrame simulated_frame = simulate (scene, seed, Sensor::kinect);
-         frame.cloud = simulated_frame.cloud;
-         frame.truth = simulated_frame.truth;
-         frame.true_planes = simulated_frame.planes;
-         frame.true_objects = simulated_frame.objects;
-         frame.camera_to_base = simulated_frame.camera_to_base;
-       }});
+  frames_.push_back ({scene + '_' + std::to_string (seed) +
+                          (camera ? '_' + std::to_string (*camera) : std::string()),
+                      [scene, seed, camera] (Frame& frame) {
+                        SimulatedFrame simulated_frame =
+                            simulate (scene, seed, Sensor::kinect, camera);
+                        frame.cloud = simulated_frame.cloud;
+                        frame.truth = simulated_frame.truth;
+                        frame.true_planes = simulated_frame.planes;
+                        frame.true_objects = simulated_frame.objects;
+                        frame.camera_to_base = simulated_frame.camera_to_base;
+                      }});
 }
 
 void

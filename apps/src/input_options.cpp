@@ -67,8 +67,10 @@ const char input_help[] =
   FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale
   FOLDER            of .pcd files (or else of depth images)
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
-  sim:SCENE[:SEED]  a simulated frame of table_single, table_cluttered, room, corridor or
-                    floor_obstacles; SEED is 1 or what you say
+  sim:SCENE[:SEED[:CAMERA]]
+                    a simulated frame of table_single, table_cluttered, room, corridor or
+                    floor_obstacles; SEED is 1 or what you say; frames with the same number
+                    CAMERA share the smooth error of depth that a camera has
   live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
                     recording FILE.oni
 )";

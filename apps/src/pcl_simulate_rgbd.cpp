@@ -27,6 +27,7 @@ namespace {
 struct Options {
   std::string scene;
   unsigned seed;
+  std::optional<unsigned> camera;
   Sensor sensor;
   std::uint32_t step;
   fs::path output;
@@ -50,7 +51,7 @@ printHelp (const po::options_description& options)
   std::cout << R"(pcl_simulate_rgbd SCENE --output DIR [options]
 
 Renders a frame of an RGB-D camera and what is true about it. Writes, with NAME for
-SCENE_SEED_SENSOR_RESOLUTION,
+SCENE_SEED_SENSOR_RESOLUTION, or SCENE_SEED_CAMERA_... with --camera,
   NAME.pcd         the organized cloud, x y z rgb, in metres: z forward, y down
   NAME_truth.pcd   x y z and normal of what each pixel truly sees, the label of its plane
                    (0: none), its object (0: none), obstacle (1: not the floor), edge (1: near one)
@@ -77,6 +78,10 @@ readOptions (int argc, char** argv)
       "seed",
       text ("S")->default_value ("1"),
       "a whole number: another layout, viewpoint and noise") (
+      "camera",
+      text ("C"),
+      "a whole number: frames with the same one share the smooth error of depth that a "
+      "camera has; without it, each seed has its own") (
       "sensor",
       text ("ideal|kinect")->default_value ("kinect"),
       "depth without errors, or with those of Microsoft's first Kinect") (
@@ -96,14 +101,19 @@ readOptions (int argc, char** argv)
 
   const auto value = [&] (const char* name) { return values[name].as<std::string>(); };
   const auto seed = parseNumber<unsigned> ("--seed", value ("seed"));
+  std::optional<unsigned> camera;
+  if (values.count ("camera"))
+    camera = parseNumber<unsigned> ("--camera", value ("camera"));
   const std::string scene = values["scene"].as<std::vector<std::string>>().front();
   return Options{scene,
                  seed,
+                 camera,
                  parseSensor (value ("sensor")),
                  parseResolution (value ("resolution")),
                  value ("output"),
-                 scene + '_' + std::to_string (seed) + '_' + value ("sensor") + '_' +
-                     value ("resolution")};
+                 scene + '_' + std::to_string (seed) +
+                     (camera ? '_' + std::to_string (*camera) : std::string()) + '_' +
+                     value ("sensor") + '_' + value ("resolution")};
 }
 
 /** The true planes, numbered as a segmentation does. */
@@ -126,7 +136,8 @@ simulateRgbd (int argc, char** argv)
   OutputFiles files;
   // An unwritable place is known before the work is done.
   files.createFolder (options->output);
-  const auto frame = simulate (options->scene, options->seed, options->sensor);
+  const auto frame =
+      simulate (options->scene, options->seed, options->sensor, options->camera);
   stopIfInterrupted();
   const auto cloud = subsample (*frame.cloud, options->step);
   const auto truth = subsample (*frame.truth, options->step);

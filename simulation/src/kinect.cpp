@@ -138,7 +138,8 @@ kinectEyes ()
 std::vector<float>
 measureWithKinect (const std::vector<RenderedPixel>& image,
                    const Camera& camera,
-                   Random& random)
+                   Random& random,
+                   Random& camera_random)
 {
   const auto noise = correlatedNoise (camera, noise_window_px, noise_window_px, random);
   const auto jitter = [&] {
@@ -147,7 +148,7 @@ measureWithKinect (const std::vector<RenderedPixel>& image,
   };
   const auto jitter_u = jitter();
   const auto jitter_v = jitter();
-  const Warp warp (random);
+  const Warp warp (camera_random);
 
   std::vector<float> depth (image.size(), std::numeric_limits<float>::quiet_NaN());
   for (int v = 0; v < camera.height; ++v)

@@ -24,11 +24,13 @@ kinectEyes ();
  * where they arise, in the disparity between the infrared image and the reference
  * pattern (Khoshelham and Elberink 2012; Handa et al. 2014, after Barron and Malik
  * 2013; Nguyen et al. 2012); doc/simulation.md compares the result with recordings.
+ * \param[in,out] camera_random draws, last, what belongs to the camera: the warp
  */
 std::vector<float>
 measureWithKinect (const std::vector<RenderedPixel>& image,
                    const Camera& camera,
-                   Random& random);
+                   Random& random,
+                   Random& camera_random);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -73,7 +73,10 @@ makeCloud (const Scene& scene,
 } // namespace
 
 SimulatedFrame
-simulate (const std::string& scene_name, unsigned seed, Sensor sensor)
+simulate (const std::string& scene_name,
+          unsigned seed,
+          Sensor sensor,
+          const std::optional<unsigned>& camera_seed)
 {
   const Scene scene = makeScene (scene_name, seed);
   const Camera camera;
@@ -88,9 +91,11 @@ simulate (const std::string& scene_name, unsigned seed, Sensor sensor)
     object.pose = scene.camera_to_base.inverse() * object.pose;
   fillTruth (scene, camera, image, frame);
 
-  Random random (seed);
+  Random random (seed), camera_random (camera_seed.value_or (0));
   const auto depth =
-      is_kinect ? measureWithKinect (image, camera, random) : trueDepth (image);
+      is_kinect ? measureWithKinect (
+                      image, camera, random, camera_seed ? camera_random : random)
+                : trueDepth (image);
   frame.cloud = makeCloud (scene, camera, image, depth);
   return frame;
 }

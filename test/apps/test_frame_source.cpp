@@ -183,10 +183,17 @@ TEST (FrameSource, SimulatedScenes)
   EXPECT_EQ (one.read (0).cloud->width, 640u);
   EXPECT_EQ (namesOf (FrameSource (inputOf ("sim:table_single:7"))),
              std::vector<std::string>{"table_single_7"});
+  EXPECT_EQ (namesOf (FrameSource (inputOf ("sim:table_single:7:2"))),
+             std::vector<std::string>{"table_single_7_2"});
+  for (const std::string camera : {"", "x", "-1"})
+    EXPECT_TRUE (
+        contains (messageOf (inputOf ("sim:table_single:7:" + camera)), "camera"))
+        << camera;
+  EXPECT_TRUE (contains (messageOf (inputOf ("sim:table_single:7:2:3")), "leave out"));
   const std::string message = messageOf (inputOf ("sim:tabel"));
   EXPECT_TRUE (contains (message, "unknown scene 'tabel'")) << message;
   EXPECT_TRUE (contains (message, "table_single")) << message;
-  for (const std::string seed : {"", "x", "-1", "1.5", "99999999999", "1:2"})
+  for (const std::string seed : {"", "x", "-1", "1.5", "99999999999"})
     EXPECT_TRUE (contains (messageOf (inputOf ("sim:table_single:" + seed)), "seed"))
         << seed;
 }

@@ -53,7 +53,7 @@ measurePlane (const std::array<double, 3>& plane, unsigned seed)
       image.push_back (pixel);
     }
   Random random (seed);
-  return measureWithKinect (image, camera, random);
+  return measureWithKinect (image, camera, random, random);
 }
 
 Depth
@@ -191,6 +191,7 @@ TEST (KinectModel, WhatItCannotMeasureIsMissing)
     return share (measureWithKinect (
         std::vector<RenderedPixel> (camera.width * camera.height, pixel),
         camera,
+        random,
         random));
   };
   EXPECT_EQ (measure (RenderedPixel()), 0.);

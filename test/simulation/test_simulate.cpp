@@ -177,6 +177,56 @@ TEST_P (Scenes, BothSensorsSeeTheSameTruth)
                           *simulate (GetParam(), 3, Sensor::kinect).truth));
 }
 
+/** Errors of inverse depth, 1/m, in the mean over blocks of 40 x 40 px; NaN where the truth
+ * or the measurement has gaps. */
+std::vector<double>
+blockErrors (const SimulatedFrame& frame)
+{
+  constexpr std::uint32_t side = 40;
+  std::vector<double> errors;
+  for (std::uint32_t v = 0; v + side <= frame.cloud->height; v += side)
+    for (std::uint32_t u = 0; u + side <= frame.cloud->width; u += side) {
+      double sum = 0.;
+      for (std::uint32_t k = 0; k < side * side; ++k) {
+        const std::uint32_t column = u + k % side, row = v + k / side;
+        const TruthPoint& truth = (*frame.truth) (column, row);
+        sum += truth.edge ? std::nan ("")
+                          : 1. / (*frame.cloud) (column, row).z - 1. / truth.z;
+      }
+      errors.push_back (sum / (side * side));
+    }
+  return errors;
+}
+
+double
+correlation (const std::vector<double>& a, const std::vector<double>& b)
+{
+  double n = 0., sum_a = 0., sum_b = 0., aa = 0., bb = 0., ab = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!std::isfinite (a[i]) || !std::isfinite (b[i]))
+      continue;
+    n += 1.;
+    sum_a += a[i];
+    sum_b += b[i];
+    aa += a[i] * a[i];
+    bb += b[i] * b[i];
+    ab += a[i] * b[i];
+  }
+  EXPECT_GE (n, 20.);
+  return (n * ab - sum_a * sum_b) /
+         std::sqrt ((n * aa - sum_a * sum_a) * (n * bb - sum_b * sum_b));
+}
+
+TEST (Simulate, FramesOfACameraShareTheirWarp)
+{
+  const auto errors = [] (unsigned seed, unsigned camera) {
+    return blockErrors (simulate ("corridor", seed, Sensor::kinect, camera));
+  };
+  const auto first = errors (1, 5);
+  EXPECT_GT (correlation (first, errors (2, 5)), 0.9);
+  EXPECT_LT (correlation (first, errors (1, 6)), 0.6);
+}
+
 INSTANTIATE_TEST_SUITE_P (All, Scenes, testing::ValuesIn (sceneNames()));
 
 TEST (Simulate, TableAndABoxFaceAreClearlyVisible)

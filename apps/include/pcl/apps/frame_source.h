@@ -25,7 +25,7 @@ namespace rgbd_planes {
 /** \brief What the user said about the input of an application. */
 struct InputOptions {
   /** A .pcd file, a folder of them, a 16-bit depth .png, a folder of them, a TUM RGB-D
-   * folder (it has a depth.txt), sim:SCENE[:SEED], or live:[DEVICE], see
+   * folder (it has a depth.txt), sim:SCENE[:SEED[:CAMERA]], or live:[DEVICE], see
    * openLiveGrabber(). */
   std::string input;
   /** Needed for depth images, but for TUM RGB-D folders with frames of 640 x 480. */
@@ -92,7 +92,7 @@ private:
   };
 
   void
-  addSimulated (const std::string& scene_and_seed);
+  addSimulated (const std::string& description);
 
   void
   addLive (const std::string& device);

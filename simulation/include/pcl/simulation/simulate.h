@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,9 +66,14 @@ sceneNames ();
  * \param[in] seed varies layout, viewpoint and noise; the same seed gives the same
  * bytes, and both sensors see the same scene
  * \param[in] sensor how depth is measured
+ * \param[in] camera varies the smooth error of depth that belongs to a camera; none: every
+ * seed has a camera of its own
  */
 SimulatedFrame
-simulate (const std::string& scene, unsigned seed, Sensor sensor);
+simulate (const std::string& scene,
+          unsigned seed,
+          Sensor sensor,
+          const std::optional<unsigned>& camera = std::nullopt);
 
 } // namespace rgbd_planes
 } // namespace pcl
