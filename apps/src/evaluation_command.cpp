@@ -18,6 +18,26 @@ namespace po = boost::program_options;
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+void
+forEachFrame (const std::vector<FrameSource>& sources,
+              const std::function<void (const Frame&)>& body)
+{
+  std::size_t all = 0, frame = 0;
+  for (const auto& source : sources)
+    all += source.size();
+  const Progress progress (all);
+  for (const auto& source : sources)
+    for (std::size_t i = 0; i < source.size(); ++i) {
+      progress.show (++frame);
+      body (source.read (i));
+      stopIfInterrupted();
+    }
+}
+
+} // namespace
+
 std::optional<EvaluationCommand>
 readEvaluationCommand (int argc,
                        char** argv,
@@ -53,28 +73,18 @@ void
 runEvaluation (const EvaluationCommand& command,
                const std::function<void (const Frame&)>& add,
                const std::function<std::string()>& table,
-               const std::function<std::string()>& json)
+               const std::function<std::string()>& json,
+               const std::vector<std::function<void (const Frame&)>>& before)
 {
-  std::vector<FrameSource> sources;
-  std::size_t all = 0, frame = 0;
-  for (const auto& input : command.inputs) {
-    sources.emplace_back (input);
-    all += sources.back().size();
-  }
+  const std::vector<FrameSource> sources (command.inputs.begin(), command.inputs.end());
   catchInterruption();
   OutputFiles files;
   // An unwritable place is known before the work is done.
   if (command.json)
     files.write (*command.json, "");
-  {
-    const Progress progress (all);
-    for (const auto& source : sources)
-      for (std::size_t i = 0; i < source.size(); ++i) {
-        progress.show (++frame);
-        add (source.read (i));
-        stopIfInterrupted();
-      }
-  }
+  for (const auto& body : before)
+    forEachFrame (sources, body);
+  forEachFrame (sources, add);
   if (command.json)
     files.write (*command.json, json());
   std::cout << table();

@@ -34,13 +34,12 @@ label of a plane, and of one that has most of its points on such surfaces (shatt
 
 Of simulated frames a third table tells what the correction of depth by ProjectOntoPlanes
 gains: rms distance to the true planes of all their points at 3.5 to 6 m, away from edges,
-before, moved along their rays, along the normals, along their rays onto planes that were
-fitted together, and onto those that least squares fits to the true labels (fit). Walls
-are vertical true planes of 2 % of the pixels and more, in pairs at 30 degrees and more:
-how far the angle between the planes with at least half of their points is from the true
-one (inf: not found), and the same of planes that were fitted together and of the fits.
+before, moved along their rays, along the normals, and along their rays onto planes that
+least squares fits to the true labels (fit). Walls are vertical true planes of 2 % of the
+pixels and more, in pairs at 30 degrees and more: how far the angle between the planes with
+at least half of their points is from the true one (inf: not found), and that of the fits.
 
-  pcl_evaluate_planes sim:room:{1..10} --json planes.json
+  pcl_evaluate_planes sim:room:{1..10} --json planes.json --corrected frame
   pcl_evaluate_planes folder_of_pcds --right-angles floor
 )";
 
@@ -55,6 +54,19 @@ readRightAngles (const po::variables_map& values)
   if (pairs == "floor")
     return RightAngles::Pairs::with_floor;
   throw AppError ("--right-angles: '" + pairs + "' must be all or floor");
+}
+
+std::optional<WarpSource>
+readCorrected (const po::variables_map& values)
+{
+  if (!values.count ("corrected"))
+    return std::nullopt;
+  const auto& source = values["corrected"].as<std::string>();
+  if (source == "frame")
+    return WarpSource::frame;
+  if (source == "camera")
+    return WarpSource::camera;
+  throw AppError ("--corrected: '" + source + "' must be frame or camera");
 }
 
 /** None of the folders that frames are read from. */
@@ -87,8 +99,13 @@ evaluatePlanes (int argc, char** argv)
       po::value<std::string>()->value_name ("all|floor"),
       "the scene is right-angled: how far planes with 2 % of the pixels and more are "
       "from 90 degrees, in pairs within 20 degrees of that, or only those with the "
-      "floor, the lowest plane of the image; and the same when planes are fitted "
-      "together");
+      "floor, the lowest plane of the image") (
+      "corrected",
+      po::value<std::string>()->value_name ("frame|camera"),
+      "ours once more on points that DepthWarpCorrection corrected: the planes of the "
+      "frame itself tell the error of depth, or those of all frames, which are of one "
+      "camera then; they are found on points as measured, and once more on points "
+      "that these corrected");
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
@@ -97,7 +114,8 @@ evaluatePlanes (int argc, char** argv)
                               readRightAngles (values),
                               values.count ("without")
                                   ? values["without"].as<std::vector<std::string>>()
-                                  : std::vector<std::string>());
+                                  : std::vector<std::string>(),
+                              readCorrected (values));
   const auto folder = readPictureFolder (*command);
   OutputFiles pictures;
   if (folder)
@@ -110,7 +128,8 @@ evaluatePlanes (int argc, char** argv)
           comparison.writePictures (frame, *folder, pictures);
       },
       [&] { return planeComparisonTable (comparison.results()); },
-      [&] { return planeComparisonJson (comparison.results()); });
+      [&] { return planeComparisonJson (comparison.results()); },
+      comparison.calibration());
   pictures.commit();
 }
 

@@ -24,34 +24,55 @@ constexpr std::uint32_t min_pixels = 40;
  */
 constexpr int runs_per_frame = 3;
 
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+measuredCloud (const Frame& frame, std::uint32_t step)
+{
+  pcl::PointCloud<pcl::PointXYZ> full;
+  pcl::copyPointCloud (*frame.cloud, full);
+  auto cloud =
+      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, step));
+  if (cloud->width < min_pixels || cloud->height < min_pixels)
+    throw AppError (frame.name + ": is too small as " + resolutionName (step) +
+                    ", 40 x 40 pixels are needed; use --resolution vga or larger "
+                    "frames");
+  return cloud;
+}
+
 } // namespace
 
 PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
                                   const std::optional<RightAngles::Pairs>& right_angles,
-                                  const std::vector<std::string>& without)
+                                  const std::vector<std::string>& without,
+                                  const std::optional<WarpSource>& corrected)
 : right_angles_ (right_angles)
 {
   for (const auto step : steps)
-    for (auto& method : planeMethods (without)) {
-      results_.push_back (
-          {method.name, resolutionName (step), {}, {}, {}, {}, {}, {}, {}});
+    for (auto& method : planeMethods (without, corrected)) {
+      results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}, {}});
       runs_.push_back ({step, std::move (method), {}});
     }
+}
+
+std::vector<std::function<void (const Frame&)>>
+PlaneComparison::calibration()
+{
+  std::vector<std::function<void (const Frame&)>> steps;
+  for (const Run& run : runs_)
+    for (const auto& calibrate : run.method.calibration)
+      steps.push_back ([step = run.step, calibrate] (const Frame& frame) {
+        const auto cloud = measuredCloud (frame, step);
+        calibrate (cloud,
+                   static_cast<unsigned> (minPlanePoints (frame, cloud->size())));
+      });
+  return steps;
 }
 
 void
 PlaneComparison::add (const Frame& frame)
 {
-  pcl::PointCloud<pcl::PointXYZ> full;
-  pcl::copyPointCloud (*frame.cloud, full);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Run& run = runs_[i];
-    const auto cloud =
-        pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
-    if (cloud->width < min_pixels || cloud->height < min_pixels)
-      throw AppError (frame.name + ": is too small as " + results_[i].resolution +
-                      ", 40 x 40 pixels are needed; use --resolution vga or larger "
-                      "frames");
+    const auto cloud = measuredCloud (frame, run.step);
     const auto min_points =
         static_cast<unsigned> (minPlanePoints (frame, cloud->size()));
     double fastest = std::numeric_limits<double>::infinity();
@@ -84,7 +105,7 @@ PlaneComparison::score (const Frame& frame,
                         const Run& run,
                         PlaneResult& result) const
 {
-  const OrganizedPoints points = viewPoints (*cloud);
+  const OrganizedPoints points = viewPoints (*run.found.cloud);
   const std::size_t min_points = minPlanePoints (frame, cloud->size());
   const auto truth = truePlanes (frame, run.step);
   if (truth)
@@ -100,11 +121,8 @@ PlaneComparison::score (const Frame& frame,
   if (frame.labels.kind == PointLabels::Kind::objects)
     result.object_labels.add (
         points, run.found, subsample (frame.labels.points, run.step));
-  if (right_angles_) {
+  if (right_angles_)
     result.right_angles.add (points, run.found, *right_angles_);
-    result.right_angles_together.add (
-        points, fitTogether (points, run.found), *right_angles_);
-  }
 }
 
 } // namespace rgbd_planes

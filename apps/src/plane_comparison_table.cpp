@@ -101,8 +101,6 @@ sceneRow (const PlaneResult& result)
       .number (right.pairsWithinPercent(), 16, 1)
       .number (right.framesWithinPercent(), 9, 1)
       .number (static_cast<double> (right.frames()), 10)
-      .number (result.right_angles_together.medianDegrees(), 10, 2)
-      .number (result.right_angles_together.pairsWithinPercent(), 16, 1)
       .line();
 }
 
@@ -121,13 +119,10 @@ correctionRow (const PlaneResult& result)
       .number (c.before.rmsMillimetres(), 11, 1)
       .number (c.along_ray.rmsMillimetres(), 11, 1)
       .number (c.along_normal.rmsMillimetres(), 13, 1)
-      .number (c.together.rmsMillimetres(), 10, 1)
       .number (c.fits_along_ray.rmsMillimetres(), 6, 1)
       .number (static_cast<double> (c.walls.errors.size()), 12)
       .number (c.walls.medianDegrees(), 9, 2)
       .number (c.walls.withinPercent(), 10, 1)
-      .number (c.together_walls.medianDegrees(), 10, 2)
-      .number (c.together_walls.withinPercent(), 10, 1)
       .number (c.fits_walls.medianDegrees(), 7, 2)
       .number (c.fits_walls.withinPercent(), 10, 1)
       .line();
@@ -142,49 +137,42 @@ jsonRow (const PlaneResult& result)
   const auto withTruth = [&e] (const nlohmann::ordered_json& value) {
     return e.hasTruth() ? value : nlohmann::ordered_json();
   };
-  return {
-      {"method", result.method},
-      {"resolution", result.resolution},
-      {"ms_median", median (result.milliseconds)},
-      {"ms_worst", worst (result.milliseconds)},
-      {"planes_truth", withTruth (e.planes_truth)},
-      {"planes_found", e.planes_found},
-      {"correct_80", withTruth (e.correct)},
-      {"over", withTruth (e.over)},
-      {"under", withTruth (e.under)},
-      {"missed", withTruth (e.missed)},
-      {"noise", withTruth (e.noise)},
-      {"f1_50", withTruth (e.f1())},
-      {"mean_iou", withTruth (e.meanIou())},
-      {"coverage_percent", e.coveragePercent()},
-      {"off_percent", e.offPercent()},
-      {"median_angle_error_deg", withTruth (e.medianAngleDegrees())},
-      {"median_distance_error_mm", withTruth (e.medianDistanceMillimetres())},
-      {"table_iou", result.object_labels.tableIou()},
-      {"table_iou_worst", result.object_labels.worstTableIou()},
-      {"purity_percent", result.object_labels.purityPercent()},
-      {"curved_labelled_percent", result.curved.labelledPercent()},
-      {"curved_shattered_percent", result.curved.shatteredPercent()},
-      {"right_angle_median_deg", right.medianDegrees()},
-      {"right_angle_pairs_percent", right.pairsWithinPercent()},
-      {"right_angle_frames_percent", right.framesWithinPercent()},
-      {"right_angle_frames", right.frames()},
-      {"right_angle_together_median_deg", result.right_angles_together.medianDegrees()},
-      {"right_angle_together_pairs_percent",
-       result.right_angles_together.pairsWithinPercent()},
-      {"far_points", c.before.points},
-      {"far_rms_before_mm", c.before.rmsMillimetres()},
-      {"far_rms_along_ray_mm", c.along_ray.rmsMillimetres()},
-      {"far_rms_along_normal_mm", c.along_normal.rmsMillimetres()},
-      {"far_rms_together_mm", c.together.rmsMillimetres()},
-      {"far_rms_fit_mm", c.fits_along_ray.rmsMillimetres()},
-      {"wall_pairs", c.walls.errors.size()},
-      {"wall_angle_median_deg", c.walls.medianDegrees()},
-      {"wall_angle_percent", c.walls.withinPercent()},
-      {"wall_angle_together_median_deg", c.together_walls.medianDegrees()},
-      {"wall_angle_together_percent", c.together_walls.withinPercent()},
-      {"wall_angle_fit_median_deg", c.fits_walls.medianDegrees()},
-      {"wall_angle_fit_percent", c.fits_walls.withinPercent()}};
+  return {{"method", result.method},
+          {"resolution", result.resolution},
+          {"ms_median", median (result.milliseconds)},
+          {"ms_worst", worst (result.milliseconds)},
+          {"planes_truth", withTruth (e.planes_truth)},
+          {"planes_found", e.planes_found},
+          {"correct_80", withTruth (e.correct)},
+          {"over", withTruth (e.over)},
+          {"under", withTruth (e.under)},
+          {"missed", withTruth (e.missed)},
+          {"noise", withTruth (e.noise)},
+          {"f1_50", withTruth (e.f1())},
+          {"mean_iou", withTruth (e.meanIou())},
+          {"coverage_percent", e.coveragePercent()},
+          {"off_percent", e.offPercent()},
+          {"median_angle_error_deg", withTruth (e.medianAngleDegrees())},
+          {"median_distance_error_mm", withTruth (e.medianDistanceMillimetres())},
+          {"table_iou", result.object_labels.tableIou()},
+          {"table_iou_worst", result.object_labels.worstTableIou()},
+          {"purity_percent", result.object_labels.purityPercent()},
+          {"curved_labelled_percent", result.curved.labelledPercent()},
+          {"curved_shattered_percent", result.curved.shatteredPercent()},
+          {"right_angle_median_deg", right.medianDegrees()},
+          {"right_angle_pairs_percent", right.pairsWithinPercent()},
+          {"right_angle_frames_percent", right.framesWithinPercent()},
+          {"right_angle_frames", right.frames()},
+          {"far_points", c.before.points},
+          {"far_rms_before_mm", c.before.rmsMillimetres()},
+          {"far_rms_along_ray_mm", c.along_ray.rmsMillimetres()},
+          {"far_rms_along_normal_mm", c.along_normal.rmsMillimetres()},
+          {"far_rms_fit_mm", c.fits_along_ray.rmsMillimetres()},
+          {"wall_pairs", c.walls.errors.size()},
+          {"wall_angle_median_deg", c.walls.medianDegrees()},
+          {"wall_angle_percent", c.walls.withinPercent()},
+          {"wall_angle_fit_median_deg", c.fits_walls.medianDegrees()},
+          {"wall_angle_fit_percent", c.fits_walls.withinPercent()}};
 }
 
 const char main_header[] =
@@ -196,16 +184,16 @@ const char main_header[] =
 const char scene_header[] =
     "\n"
     "method        size   table IoU  worst  purity  curved labelled  shattered"
-    "  right angles  pairs in 2 deg   frames  of frames  together  pairs in 2 deg\n"
+    "  right angles  pairs in 2 deg   frames  of frames\n"
     "                                            %                %          %"
-    "        off by               %        %               off by               %\n";
+    "        off by               %        %\n";
 
 const char correction_header[] =
     "\n"
-    "method        size  far points  rms before  along ray  along normal  together"
-    "   fit  wall pairs  off by   in 1 deg  together  in 1 deg    fit  in 1 deg\n"
-    "                                       mm         mm            mm        mm"
-    "    mm                 deg         %       deg         %    deg         %\n";
+    "method        size  far points  rms before  along ray  along normal"
+    "   fit  wall pairs  off by   in 1 deg    fit  in 1 deg\n"
+    "                                       mm         mm            mm"
+    "    mm                 deg         %    deg         %\n";
 
 std::string
 table (std::string header,

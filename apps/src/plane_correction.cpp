@@ -4,9 +4,7 @@
 #include <pcl/apps/plane_correction.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/features/depth_noise.h>
-#include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/project_onto_planes.h>
-#include <pcl/filters/warped_plane_fit.h>
 #include <pcl/segmentation/plane_assignment.h>
 #include <pcl/segmentation/plane_moments.h>
 
@@ -171,15 +169,6 @@ addWalls (const TrueFrame& frame,
 
 } // namespace
 
-PlaneSet
-fitTogether (const OrganizedPoints& points, const PlaneSet& planes)
-{
-  WarpedPlaneFit::Planes fitted (planes.coefficients.begin(),
-                                 planes.coefficients.end());
-  WarpedPlaneFit().compute (points, planes.labels, DepthNoise(), fitted);
-  return {{fitted.begin(), fitted.end()}, planes.labels};
-}
-
 double
 Residuals::rmsMillimetres() const
 {
@@ -200,7 +189,7 @@ WallAngles::withinPercent() const
 
 void
 PlaneCorrection::add (const Cloud::ConstPtr& cloud,
-                      const PlaneSet& found,
+                      const FoundPlanes& found,
                       const PlaneSet& truth,
                       const pcl::PointCloud<TruthPoint>& pixels,
                       const Eigen::Vector3f& up,
@@ -208,19 +197,18 @@ PlaneCorrection::add (const Cloud::ConstPtr& cloud,
 {
   const TrueFrame frame{*cloud, truth, pixels, countPoints (*cloud, truth)};
   const PlaneSet fits = fitPlanes (frame);
-  const PlaneSet fitted_together = fitTogether (viewPoints (*cloud), found);
   using Direction = Projection::Direction;
-  const auto addProjected =
-      [&] (const PlaneSet& planes, Direction direction, Residuals& residuals) {
-        addResiduals (frame, project (cloud, planes, direction), min_points, residuals);
-      };
+  const auto addProjected = [&] (const Cloud::ConstPtr& points,
+                                 const PlaneSet& planes,
+                                 Direction direction,
+                                 Residuals& residuals) {
+    addResiduals (frame, project (points, planes, direction), min_points, residuals);
+  };
   addResiduals (frame, *cloud, min_points, before);
-  addProjected (found, Direction::viewing_ray, along_ray);
-  addProjected (found, Direction::normal, along_normal);
-  addProjected (fitted_together, Direction::viewing_ray, together);
-  addProjected (fits, Direction::viewing_ray, fits_along_ray);
+  addProjected (found.cloud, found, Direction::viewing_ray, along_ray);
+  addProjected (found.cloud, found, Direction::normal, along_normal);
+  addProjected (cloud, fits, Direction::viewing_ray, fits_along_ray);
   addWalls (frame, found, up, walls);
-  addWalls (frame, fitted_together, up, together_walls);
   addWalls (frame, fits, up, fits_walls);
 }
 

@@ -5,6 +5,7 @@
 #include <pcl/apps/plane_methods.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/filters/depth_warp_correction.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
@@ -49,7 +50,7 @@ makeMethod (const std::string& name,
 {
   const auto output = std::make_shared<Output>();
   return {name,
-          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, PlaneSet& set) {
+          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
             const auto start = std::chrono::steady_clock::now();
             estimation->setInputCloud (cloud);
             estimation->compute (*output->normals);
@@ -60,8 +61,10 @@ makeMethod (const std::string& name,
             const std::chrono::duration<double, std::milli> elapsed =
                 std::chrono::steady_clock::now() - start;
             convert (*output, cloud->size(), set);
+            set.cloud = cloud;
             return elapsed.count();
-          }};
+          },
+          {}};
 }
 
 /** Ours, where parts of it can be left out. */
@@ -92,6 +95,102 @@ normalSpaceMethod (const std::string& name, const Additions& additions)
                      [] (NormalSpaceMethod& segmentation, Output& output) {
                        segmentation.segment (output.models, output.inliers);
                      });
+}
+
+/** Ours on points that DepthWarpCorrection corrected. Planes of points as measured tell the
+ * warp roughly, those of points that are roughly corrected tell it finely. */
+class CorrectedMethod {
+public:
+  explicit CorrectedMethod (WarpSource source) : source_ (source)
+  {
+    fine_.setDepthNoise (DepthNoise::kinectV1Corrected());
+    fine_.setDistanceThreshold (0.007);
+  }
+
+  void
+  calibrateRoughly (const Cloud::ConstPtr& cloud, unsigned min_inliers)
+  {
+    segment (coarse_, cloud, min_inliers);
+    rough_correction_.addFrame (*cloud, output_.models, output_.inliers);
+  }
+
+  void
+  calibrateFinely (const Cloud::ConstPtr& cloud, unsigned min_inliers)
+  {
+    correct (rough_correction_, cloud);
+    segment (fine_, corrected_, min_inliers);
+    correction_.addFrame (*cloud, output_.models, output_.inliers);
+  }
+
+  double
+  compute (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    if (source_ == WarpSource::frame) {
+      rough_correction_.clearFrames();
+      correction_.clearFrames();
+      calibrateRoughly (cloud, min_inliers);
+      calibrateFinely (cloud, min_inliers);
+    }
+    correct (correction_, cloud);
+    segment (fine_, corrected_, min_inliers);
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    convert (output_, cloud->size(), set);
+    set.cloud = pcl::make_shared<Cloud> (*corrected_);
+    return elapsed.count();
+  }
+
+private:
+  using Segmentation = pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal>;
+
+  void
+  segment (Segmentation& segmentation,
+           const Cloud::ConstPtr& cloud,
+           unsigned min_inliers)
+  {
+    estimation_.setInputCloud (cloud);
+    estimation_.compute (*output_.normals);
+    segmentation.setMinInliers (min_inliers);
+    segmentation.setInputCloud (cloud);
+    segmentation.setInputNormals (output_.normals);
+    segmentation.segment (output_.models, output_.inliers);
+  }
+
+  void
+  correct (pcl::DepthWarpCorrection<pcl::PointXYZ>& correction,
+           const Cloud::ConstPtr& cloud)
+  {
+    correction.setInputCloud (cloud);
+    correction.filter (*corrected_);
+  }
+
+  WarpSource source_;
+  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation_;
+  Segmentation coarse_, fine_;
+  pcl::DepthWarpCorrection<pcl::PointXYZ> rough_correction_, correction_;
+  Cloud::Ptr corrected_ = pcl::make_shared<Cloud>();
+  Output output_;
+};
+
+PlaneMethod
+correctedMethod (WarpSource source)
+{
+  const auto method = std::make_shared<CorrectedMethod> (source);
+  PlaneMethod result;
+  result.name = "corrected";
+  result.compute =
+      [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
+        return method->compute (cloud, min_inliers, set);
+      };
+  if (source == WarpSource::camera)
+    result.calibration = {[=] (const Cloud::ConstPtr& cloud, unsigned min_inliers) {
+                            method->calibrateRoughly (cloud, min_inliers);
+                          },
+                          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers) {
+                            method->calibrateFinely (cloud, min_inliers);
+                          }};
+  return result;
 }
 
 struct Addition {
@@ -172,12 +271,15 @@ planeAdditionNames ()
 }
 
 std::vector<PlaneMethod>
-planeMethods (const std::vector<std::string>& without)
+planeMethods (const std::vector<std::string>& without,
+              const std::optional<WarpSource>& corrected)
 {
   std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}),
                                    organizedMultiPlaneMethod()};
   for (const std::string& list : without)
     methods.push_back (normalSpaceMethod ("no_" + list, additionsWithout (list)));
+  if (corrected)
+    methods.push_back (correctedMethod (*corrected));
   return methods;
 }
 

@@ -12,6 +12,7 @@
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/two_run_normal.h>
 #include <pcl/filters/camera_to_base.h>
+#include <pcl/filters/depth_warp_correction.h>
 #include <pcl/filters/obstacle_filter.h>
 #include <pcl/filters/project_onto_planes.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
@@ -352,6 +353,11 @@ private:
     else
       projection_.setPlanes (planes_, labels_);
     apply (projection_);
+    correction_.setDepthNoise (anyNoise (data_));
+    if (data_.ConsumeBool())
+      correction_.clearFrames();
+    correction_.addFrame (*cloud_, planes_, inliers_);
+    apply (correction_);
   }
 
   FuzzedDataProvider& data_;
@@ -370,6 +376,7 @@ private:
   pcl::ObstacleFilter<PointXYZ> obstacle_filter_;
   pcl::CameraToBase<PointXYZ> to_base_;
   pcl::ProjectOntoPlanes<PointXYZ> projection_;
+  pcl::DepthWarpCorrection<PointXYZ> correction_;
 };
 
 } // namespace

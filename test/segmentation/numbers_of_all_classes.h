@@ -9,6 +9,7 @@
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/two_run_normal.h>
 #include <pcl/filters/camera_to_base.h>
+#include <pcl/filters/depth_warp_correction.h>
 #include <pcl/filters/obstacle_filter.h>
 #include <pcl/filters/project_onto_planes.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
@@ -165,6 +166,11 @@ private:
     projection.setPlanes (models_, inliers_);
     projection.filter (output);
     add ("projected points", output);
+    pcl::DepthWarpCorrection<PointT> correction;
+    correction.addFrame (*cloud_, models_, inliers_);
+    correction.setInputCloud (cloud_);
+    correction.filter (output);
+    add ("corrected points", output);
     pcl::CameraToBase<PointT> to_base;
     to_base.setTransform (camera_to_base);
     to_base.setInputCloud (cloud_);
@@ -191,7 +197,7 @@ void
 expectSameAsPointXYZ ()
 {
   static const NumbersOfAllClasses<pcl::PointXYZ, pcl::Normal, pcl::Label> expected;
-  EXPECT_EQ (expected.get().size(), 12u) << "there is a box, and all classes find it";
+  EXPECT_EQ (expected.get().size(), 13u) << "there is a box, and all classes find it";
   const NumbersOfAllClasses<PointT, PointNT, PointLT> found;
   for (const auto& [name, numbers] : expected.get())
     EXPECT_TRUE (found.get().count (name) && found.get().at (name) == numbers) << name;

@@ -96,6 +96,12 @@ TEST (CustomPoints, GoThroughDetectionAndAllFilters)
              1e-4f)
       << "already on its plane";
 
+  pcl::DepthWarpCorrection<WarmPoint> correction;
+  EXPECT_TRUE (correction.addFrame (*cloud, {}, {}));
+  correction.setInputCloud (cloud);
+  correction.filter (output);
+  EXPECT_EQ (output.back().temperature, cloud->back().temperature);
+
   pcl::CameraToBase<WarmPoint> to_base;
   to_base.setTransform (scene.camera_to_base);
   to_base.setInputCloud (cloud);

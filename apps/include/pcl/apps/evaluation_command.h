@@ -38,12 +38,15 @@ readEvaluationCommand (int argc,
                        const boost::program_options::options_description& own);
 
 /** \brief Shows all frames of all inputs to \a add, then prints \a table () and writes
- * \a json () where --json says. Nothing is written after an AppError. */
+ * \a json () where --json says. Nothing is written after an AppError.
+ * \param[in] before each of them is shown all frames first, one after the other
+ */
 void
 runEvaluation (const EvaluationCommand& command,
                const std::function<void (const Frame&)>& add,
                const std::function<std::string()>& table,
-               const std::function<std::string()>& json);
+               const std::function<std::string()>& json,
+               const std::vector<std::function<void (const Frame&)>>& before = {});
 
 } // namespace rgbd_planes
 } // namespace pcl

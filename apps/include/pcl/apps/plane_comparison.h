@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,6 @@ struct PlaneResult {
   ObjectLabelEvaluation object_labels;
   CurvedPoints curved;
   RightAngles right_angles;
-  RightAngles right_angles_together; // of the planes after fitTogether()
   PlaneCorrection correction;
 };
 
@@ -42,11 +42,17 @@ class PlaneComparison {
 public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
    * \param[in] right_angles which pairs of planes of the scenes are at right angles, if any
-   * \param[in] without as planeMethods() takes it
+   * \param[in] without, corrected as planeMethods() takes them
    */
   PlaneComparison (const std::vector<std::uint32_t>& steps,
                    const std::optional<RightAngles::Pairs>& right_angles,
-                   const std::vector<std::string>& without);
+                   const std::vector<std::string>& without,
+                   const std::optional<WarpSource>& corrected);
+
+  /** \brief What is to be shown all frames, one after the other, before the first
+   * add (). */
+  std::vector<std::function<void (const Frame&)>>
+  calibration ();
 
   /** \brief Adds a frame of full resolution. AppError where it is too small. */
   void
@@ -69,7 +75,7 @@ private:
   struct Run {
     std::uint32_t step;
     PlaneMethod method;
-    PlaneSet found;
+    FoundPlanes found;
   };
 
   void

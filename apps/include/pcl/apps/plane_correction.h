@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <pcl/apps/plane_evaluation.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/apps/plane_methods.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/simulation/truth_point.h>
@@ -14,11 +13,6 @@
 
 namespace pcl {
 namespace rgbd_planes {
-
-/** \brief The planes as ProjectOntoPlanes::setFitTogether (true) makes them, with the labels
- * they have. */
-PlaneSet
-fitTogether (const OrganizedPoints& points, const PlaneSet& planes);
 
 /** \brief Distances of points from where they should be. */
 struct Residuals {
@@ -57,14 +51,14 @@ struct WallAngles {
  */
 class PlaneCorrection {
 public:
-  /** \param[in] cloud as measured
+  /** \param[in] cloud as measured; \a found may be planes of corrected points
    * \param[in] truth the true planes; \a pixels the edges
    * \param[in] up a unit vector in the frame of the cloud
    * \param[in] min_points of true planes; smaller ones do not count
    */
   void
   add (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-       const PlaneSet& found,
+       const FoundPlanes& found,
        const PlaneSet& truth,
        const pcl::PointCloud<TruthPoint>& pixels,
        const Eigen::Vector3f& up,
@@ -73,10 +67,8 @@ public:
   Residuals before;         /**< as measured */
   Residuals along_ray;      /**< moved along their viewing rays onto found planes */
   Residuals along_normal;   /**< moved along the normals of found planes */
-  Residuals together;       /**< along their rays onto found planes, fitted together */
   Residuals fits_along_ray; /**< moved along their viewing rays onto fits */
   WallAngles walls;
-  WallAngles together_walls;
   WallAngles fits_walls;
 };
 

@@ -8,11 +8,17 @@
 #include <pcl/point_types.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
+
+/** \brief Planes of a frame and the points on them: those given, or corrected ones. */
+struct FoundPlanes : PlaneSet {
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
+};
 
 /** \brief A way to find planes, with its buffers. */
 struct PlaneMethod {
@@ -23,13 +29,22 @@ struct PlaneMethod {
    * without conversions. */
   std::function<double (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
                         unsigned min_inliers,
-                        PlaneSet& planes)>
+                        FoundPlanes& planes)>
       compute;
+  /** What learns from all frames of a camera: each of these is to be shown every frame, one
+   * after the other, before the first compute. */
+  std::vector<std::function<void (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+                                  unsigned min_inliers)>>
+      calibration;
 };
 
 /** \brief What planeMethods() can leave out: "creases, noise, ..." */
 std::string
 planeAdditionNames ();
+
+/** \brief Which planes tell the warp of depth: those of the same frame, or of all frames, which
+ * are of one camera then. */
+enum class WarpSource { frame, camera };
 
 /** \brief Ours, "normal_space", and PCL's OrganizedMultiPlaneSegmentation on
  * AVERAGE_3D_GRADIENT normals with a smoothing size of 10, "pcl_omps"; other settings as
@@ -37,9 +52,12 @@ planeAdditionNames ();
  * \param[in] without lists of PlaneAdditions, "NAME,..." or "all": for each, ours once
  * more without these, "no_" and the list
  * Throws AppError where a name is none of them.
+ * \param[in] corrected for ours once more on points that DepthWarpCorrection corrected,
+ * "corrected"
  */
 std::vector<PlaneMethod>
-planeMethods (const std::vector<std::string>& without);
+planeMethods (const std::vector<std::string>& without,
+              const std::optional<WarpSource>& corrected);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -5,7 +5,7 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/filter.h>
-#include <pcl/filters/warped_plane_fit.h>
+#include <pcl/filters/plane_points.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
@@ -100,55 +100,11 @@ public:
     return max_ray_factor_;
   }
 
-  /** \brief Whether planes are fitted to their points once more, all together with a smooth error
-   * of depth that they share, see rgbd_planes::WarpedPlaneFit; default false: points move
-   * onto the planes as they are. The input must be an image then; an error message and
-   * an empty output where it is not. For cameras whose far surfaces are warped, and only as good
-   * as the planes: whatever makes one of two surfaces is taken for warp. */
-  void
-  setFitTogether (bool fit_together)
-  {
-    fit_together_ = fit_together;
-  }
-
-  bool
-  getFitTogether () const
-  {
-    return fit_together_;
-  }
-
-  /** \brief The errors of depth that setFitTogether (true) reckons with; default
-   * DepthNoise::kinectV1 (). */
-  void
-  setDepthNoise (const rgbd_planes::DepthNoise& noise)
-  {
-    noise_ = noise;
-  }
-
-  const rgbd_planes::DepthNoise&
-  getDepthNoise () const
-  {
-    return noise_;
-  }
-
-  /** \brief The planes that points were moved onto, a, b, c, d with unit normals: those of
-   * setPlanes, or what setFitTogether (true) made of them. */
-  const rgbd_planes::WarpedPlaneFit::Planes&
-  getPlanes () const
-  {
-    return fitted_;
-  }
-
 protected:
   void
   applyFilter (PointCloud& output) override;
 
 private:
-  using Planes = rgbd_planes::WarpedPlaneFit::Planes;
-
-  void
-  setCoefficients (const std::vector<ModelCoefficients>& model_coefficients);
-
   /** \brief Fills in the plane of each point; false after an error message. */
   bool
   assignPlanes ();
@@ -156,11 +112,7 @@ private:
   void
   project (const Eigen::Vector4f& plane, PointT& point) const;
 
-  Planes planes_;
-  Planes fitted_;
-  rgbd_planes::WarpedPlaneFit fit_;
-  bool fit_together_ = false;
-  rgbd_planes::DepthNoise noise_;
+  rgbd_planes::PlaneVectors planes_;
   std::vector<PointIndices> inliers_;
   Labels::ConstPtr labels_; // null where the points of planes are inliers_
   Direction direction_ = Direction::viewing_ray;

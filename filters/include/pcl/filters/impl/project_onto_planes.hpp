@@ -9,7 +9,6 @@
 #include <pcl/filters/project_onto_planes.h>
 
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 
@@ -19,7 +18,7 @@ ProjectOntoPlanes<PointT>::setPlanes (
     const std::vector<ModelCoefficients>& model_coefficients,
     const std::vector<PointIndices>& inlier_indices)
 {
-  setCoefficients (model_coefficients);
+  planes_ = rgbd_planes::planeVectors (model_coefficients);
   inliers_ = inlier_indices;
   labels_.reset();
 }
@@ -30,24 +29,9 @@ ProjectOntoPlanes<PointT>::setPlanes (
     const std::vector<ModelCoefficients>& model_coefficients,
     const Labels::ConstPtr& labels)
 {
-  setCoefficients (model_coefficients);
+  planes_ = rgbd_planes::planeVectors (model_coefficients);
   inliers_.clear();
   labels_ = labels;
-}
-
-template <typename PointT>
-void
-ProjectOntoPlanes<PointT>::setCoefficients (
-    const std::vector<ModelCoefficients>& model_coefficients)
-{
-  planes_.clear();
-  for (const auto& model : model_coefficients) {
-    Eigen::Vector4f plane =
-        Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
-    if (model.values.size() == 4)
-      plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
-    planes_.push_back (plane / plane.head<3>().norm());
-  }
 }
 
 template <typename PointT>
@@ -67,19 +51,10 @@ ProjectOntoPlanes<PointT>::assignPlanes()
                size);
     return false;
   }
-  if (fit_together_ && !rgbd_planes::isImage (*input_)) {
-    PCL_ERROR ("[pcl::%s] %s\n",
-               getClassName().c_str(),
-               rgbd_planes::notAnImage (*input_).c_str());
-    return false;
-  }
-  plane_of_.assign (size, std::numeric_limits<std::uint32_t>::max());
+  rgbd_planes::fillPlaneOf (inliers_, size, plane_of_);
   if (labels_)
     for (std::size_t i = 0; i < size; ++i)
       plane_of_[i] = (*labels_)[i].label;
-  for (std::size_t k = 0; k < inliers_.size(); ++k)
-    for (const pcl::index_t index : inliers_[k].indices)
-      plane_of_[static_cast<std::size_t> (index)] = static_cast<std::uint32_t> (k);
   return true;
 }
 
@@ -91,14 +66,11 @@ ProjectOntoPlanes<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
-  fitted_ = planes_;
-  if (fit_together_)
-    fit_.compute (rgbd_planes::viewPoints (*input_), plane_of_, noise_, fitted_);
   output = *input_;
   for (const pcl::index_t index : *indices_) {
     const auto i = static_cast<std::size_t> (index);
-    if (plane_of_[i] < fitted_.size() && rgbd_planes::isMeasured (&output[i].x))
-      project (fitted_[plane_of_[i]], output[i]);
+    if (plane_of_[i] < planes_.size() && rgbd_planes::isMeasured (&output[i].x))
+      project (planes_[plane_of_[i]], output[i]);
   }
 }
 

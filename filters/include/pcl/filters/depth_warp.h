@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/depth_noise.h>
+#include <pcl/features/organized_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/plane_points.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The smooth error of depth that calibration leaves, told by planes.
+ *
+ * The inverse depth 1/z of a plane m * p = 1 is m * (x/z, y/z, 1). What is measured is that
+ * plus the warp of the camera at the pixel, which does not depend on the plane: a sum of
+ * cosines with waves of down to a third of the width of the image, each as likely as the
+ * others. All planes of all frames and the warp are found together by least squares. A single
+ * plane cannot be told from a warp that is linear in the image; several planes, each bent by
+ * its part of the same smooth warp, can.
+ */
+class PCL_RGBD_PLANES_EXPORTS DepthWarp {
+public:
+  /** \brief Forgets all frames. */
+  void
+  clear ();
+
+  /** \brief Adds what the planes of a frame tell.
+   * \param[in] points in the camera frame, z forward; an image of the size of those before
+   * \param[in] plane_of for each point; no plane: a number beyond. Planes with few
+   * points tell nothing.
+   * \param[in] noise weighs the points; the warp is taken to be about twice its quadratic part
+   */
+  void
+  add (const OrganizedPoints& points,
+       const std::vector<std::uint32_t>& plane_of,
+       const PlaneVectors& planes,
+       const DepthNoise& noise);
+
+  std::size_t
+  frames () const
+  {
+    return frames_;
+  }
+
+  int
+  width () const
+  {
+    return width_;
+  }
+
+  int
+  height () const
+  {
+    return height_;
+  }
+
+  /** \brief What the warp adds to inverse depths, 1/m, width x height: one column for each row
+   * of the image. */
+  const Eigen::MatrixXf&
+  image () const
+  {
+    return image_;
+  }
+
+private:
+  /** \brief The means of a square of pixels that sees one plane. */
+  struct Cell {
+    Eigen::Vector3d ray = Eigen::Vector3d::Zero(); // x/z, y/z, 1
+    double inverse_depth = 0.;
+    std::uint32_t plane = 0;
+    int column = 0, row = 0; // of the cell
+  };
+
+  struct Wave {
+    int along_row, along_column; // half periods in the image
+    double variance;             // of its amplitude; that of all waves together is 1
+  };
+
+  /** \brief The normal equations of a plane. */
+  struct PlaneSums {
+    std::size_t cells = 0;
+    Eigen::Matrix3d squares;
+    Eigen::Vector3d right;
+    Eigen::Matrix<double, 3, Eigen::Dynamic> waves;
+  };
+
+  void
+  resize (int width, int height);
+
+  void
+  collectCells (const OrganizedPoints& points,
+                const std::vector<std::uint32_t>& plane_of,
+                const PlaneVectors& planes,
+                const DepthNoise& noise);
+
+  bool
+  findMean (const OrganizedPoints& points,
+            const std::vector<std::uint32_t>& plane_of,
+            const DepthNoise& noise,
+            Cell& cell) const;
+
+  void
+  sumUp (const PlaneVectors& planes, const DepthNoise& noise);
+
+  void
+  addProductsOfWaves ();
+
+  void
+  eliminatePlanes ();
+
+  void
+  solve (const DepthNoise& noise);
+
+  std::size_t frames_ = 0;
+  int width_ = 0, height_ = 0, cell_size_ = 1;
+  std::vector<Wave> waves_;
+  Eigen::MatrixXd row_cosines_, column_cosines_; // half periods x cells
+  Eigen::MatrixXf pixel_row_cosines_, pixel_column_cosines_;
+  std::vector<Cell> cells_;
+  std::vector<PlaneSums> planes_;
+  Eigen::MatrixXd weights_; // of the cells of a frame
+  /** The normal equations of the waves, over all frames. */
+  Eigen::MatrixXd squares_;
+  Eigen::VectorXd right_;
+  Eigen::MatrixXf image_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/depth_warp.h>
+#include <pcl/filters/filter.h>
+#include <pcl/ModelCoefficients.h>
+#include <pcl/PointIndices.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Corrects the smooth error of depth that calibration leaves: it bends far walls of a
+ * Kinect by centimetres, and tilts them by a degree. The planes of one or more frames of
+ * the same camera tell it, see rgbd_planes::DepthWarp.
+ *
+ * \code
+ * segmentation.segment (model_coefficients, inlier_indices);
+ * pcl::DepthWarpCorrection<pcl::PointXYZ> correction;
+ * correction.addFrame (*cloud, model_coefficients, inlier_indices); // more frames: better
+ * correction.setInputCloud (cloud);
+ * correction.filter (*corrected);
+ * \endcode
+ *
+ * Points move along their viewing ray and keep their pixel. What is left of the error is
+ * noise, which DepthNoise::kinectV1Corrected() describes for a segmentation of the output.
+ * It is only as good as the planes: whatever makes one of two surfaces is taken for warp.
+ *
+ * The output has all points of the input, its organization and its header; all fields but
+ * coordinates stay. With indices, only these points move. Output and input may be the same
+ * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)), behind the camera, or so far
+ * away that the error is as large as half of the range stay. Without frames, with an
+ * input that is no image of their size, or an index outside of it: an error message and an
+ * empty output.
+ *
+ * \ingroup filters
+ */
+template <typename PointT>
+class PCL_RGBD_PLANES_EXPORTS DepthWarpCorrection : public Filter<PointT> {
+  using Filter<PointT>::filter_name_;
+  using Filter<PointT>::getClassName;
+  using Filter<PointT>::indices_;
+  using Filter<PointT>::input_;
+
+public:
+  using Ptr = shared_ptr<DepthWarpCorrection<PointT>>;
+  using ConstPtr = shared_ptr<const DepthWarpCorrection<PointT>>;
+  using typename Filter<PointT>::PointCloud;
+
+  DepthWarpCorrection() { filter_name_ = "DepthWarpCorrection"; }
+
+  /** \brief Adds what the planes of a frame tell; false after an error message where the
+   * cloud is no image of the size of the frames before, or the planes are not those of the
+   * cloud.
+   * \param[in] cloud as measured, in the camera frame, z forward
+   * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
+   * \param[in] inlier_indices the points of each plane
+   */
+  bool
+  addFrame (const PointCloud& cloud,
+            const std::vector<ModelCoefficients>& model_coefficients,
+            const std::vector<PointIndices>& inlier_indices);
+
+  /** \brief Forgets all frames: for another camera. */
+  void
+  clearFrames ()
+  {
+    warp_.clear();
+  }
+
+  std::size_t
+  getNumberOfFrames () const
+  {
+    return warp_.frames();
+  }
+
+  /** \brief The errors of measured depth, which tell how large the warp may be; default
+   * DepthNoise::kinectV1 (). Counts from the next frame on. */
+  void
+  setDepthNoise (const rgbd_planes::DepthNoise& noise)
+  {
+    noise_ = noise;
+  }
+
+  const rgbd_planes::DepthNoise&
+  getDepthNoise () const
+  {
+    return noise_;
+  }
+
+protected:
+  void
+  applyFilter (PointCloud& output) override;
+
+private:
+  /** \brief What is wrong with an image, or nothing. */
+  std::string
+  faultOf (const PointCloud& cloud) const;
+
+  rgbd_planes::DepthWarp warp_;
+  rgbd_planes::DepthNoise noise_;
+  std::vector<std::uint32_t> plane_of_; // for each point; no plane: a number beyond
+};
+
+} // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/filters/impl/depth_warp_correction.hpp>
+#endif

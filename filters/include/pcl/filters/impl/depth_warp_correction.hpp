@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/console/print.h>
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/organized_view.h>
+#include <pcl/filters/depth_warp_correction.h>
+
+#include <algorithm>
+#include <string>
+
+namespace pcl {
+
+template <typename PointT>
+bool
+DepthWarpCorrection<PointT>::addFrame (
+    const PointCloud& cloud,
+    const std::vector<ModelCoefficients>& model_coefficients,
+    const std::vector<PointIndices>& inlier_indices)
+{
+  std::string fault = faultOf (cloud);
+  const bool belong =
+      inlier_indices.size() == model_coefficients.size() &&
+      std::all_of (inlier_indices.begin(), inlier_indices.end(), [&] (const auto& i) {
+        return rgbd_planes::indicesInside (i.indices, cloud.size());
+      });
+  if (fault.empty() && !belong)
+    fault =
+        "The planes are not those of the cloud of " + std::to_string (cloud.size()) +
+        " points: pass the coefficients of each plane and the indices of its points.";
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s::addFrame] %s\n", getClassName().c_str(), fault.c_str());
+    return false;
+  }
+  rgbd_planes::fillPlaneOf (inlier_indices, cloud.size(), plane_of_);
+  warp_.add (rgbd_planes::viewPoints (cloud),
+             plane_of_,
+             rgbd_planes::planeVectors (model_coefficients),
+             noise_);
+  return true;
+}
+
+template <typename PointT>
+std::string
+DepthWarpCorrection<PointT>::faultOf (const PointCloud& cloud) const
+{
+  if (!rgbd_planes::isImage (cloud))
+    return rgbd_planes::notAnImage (cloud);
+  if (warp_.frames() > 0 && (static_cast<int> (cloud.width) != warp_.width() ||
+                             static_cast<int> (cloud.height) != warp_.height()))
+    return "The cloud is " + std::to_string (cloud.width) + " x " +
+           std::to_string (cloud.height) + ", the frames before were " +
+           std::to_string (warp_.width()) + " x " + std::to_string (warp_.height()) +
+           ": call clearFrames for another camera or resolution.";
+  return {};
+}
+
+template <typename PointT>
+void
+DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
+{
+  std::string fault = faultOf (*input_);
+  if (fault.empty() && warp_.frames() == 0)
+    fault = "There are no frames yet: pass their planes to addFrame.";
+  if (fault.empty() && !rgbd_planes::indicesInside (*indices_, input_->size()))
+    fault = "An index is outside of the input cloud of " +
+            std::to_string (input_->size()) + " points.";
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+    output.clear();
+    return;
+  }
+  output = *input_;
+  const float* warp = warp_.image().data();
+  for (const pcl::index_t index : *indices_) {
+    const auto i = static_cast<std::size_t> (index);
+    Eigen::Map<Eigen::Vector3f> p (&output[i].x);
+    const float true_part = 1.f - warp[i] * p.z(); // of the inverse depth
+    if (p.z() > 0.f && true_part > 0.5f && true_part < 1.5f)
+      p *= 1.f / true_part;
+  }
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_DepthWarpCorrection(PointT)                                    \
+  template class PCL_RGBD_PLANES_EXPORTS pcl::DepthWarpCorrection<PointT>;

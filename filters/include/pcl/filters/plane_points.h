@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/ModelCoefficients.h>
+#include <pcl/PointIndices.h>
+
+#include <Eigen/Core>
+#include <Eigen/StdVector>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief a, b, c, d of planes with unit normals. */
+using PlaneVectors =
+    std::vector<Eigen::Vector4f, Eigen::aligned_allocator<Eigen::Vector4f>>;
+
+/** \brief NaN for what has no four finite coefficients and a normal. */
+inline PlaneVectors
+planeVectors (const std::vector<ModelCoefficients>& models)
+{
+  PlaneVectors planes;
+  for (const auto& model : models) {
+    Eigen::Vector4f plane =
+        Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
+    if (model.values.size() == 4)
+      plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
+    planes.push_back (plane / plane.head<3>().norm());
+  }
+  return planes;
+}
+
+/** \brief For each of \a size points the last plane that it is an inlier of, or a number
+ * beyond. */
+inline void
+fillPlaneOf (const std::vector<PointIndices>& inliers,
+             std::size_t size,
+             std::vector<std::uint32_t>& plane_of)
+{
+  plane_of.assign (size, std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t k = 0; k < inliers.size(); ++k)
+    for (const pcl::index_t index : inliers[k].indices)
+      plane_of[static_cast<std::size_t> (index)] = static_cast<std::uint32_t> (k);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

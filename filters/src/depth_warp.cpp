@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/filters/depth_warp.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr int cells_in_row = 80;
+/** Planes with fewer tell nothing. */
+constexpr std::size_t min_cells = 20;
+constexpr int max_half_periods = 7;
+/** Waves need not be level at the border of the image, where cosines are: they are those of
+ * an image that is larger by this part of the width on all sides. */
+constexpr double margin = 0.1;
+/** The standard deviation of the warp of inverse depth, in quadratic parts of the noise. */
+constexpr double warp_in_noise = 2.;
+constexpr double least_warp = 1e-6; // 1/m
+/** The standard deviation of what planes change by, m of m * p = 1, in that of the warp:
+ * large, for directions in which few points tell nothing. */
+constexpr double change_in_warp = 10.;
+
+double
+warpDeviation (const DepthNoise& noise)
+{
+  return std::max (warp_in_noise * static_cast<double> (noise.quadratic), least_warp);
+}
+
+/** cos (i pi t) of up to \a max_i half periods, t from 0 to 1 over the image and its
+ * margins, at the middles of \a number squares of \a size pixels. */
+Eigen::MatrixXd
+cosines (int max_i, int number, int size, int pixels, double margin_px)
+{
+  Eigen::MatrixXd result (max_i + 1, number);
+  for (int k = 0; k < number; ++k) {
+    const double t = ((k + 0.5) * size + margin_px) / (pixels + 2. * margin_px);
+    for (int i = 0; i <= max_i; ++i)
+      result (i, k) = std::cos (i * M_PI * t);
+  }
+  return result;
+}
+
+/** m of m * p = 1. */
+Eigen::Vector3d
+inverseDistance (const Eigen::Vector4f& plane)
+{
+  return -plane.head<3>().cast<double>() / plane[3];
+}
+
+} // namespace
+
+void
+DepthWarp::clear()
+{
+  frames_ = 0;
+}
+
+void
+DepthWarp::add (const OrganizedPoints& points,
+                const std::vector<std::uint32_t>& plane_of,
+                const PlaneVectors& planes,
+                const DepthNoise& noise)
+{
+  resize (points.width, points.height);
+  if (frames_ == 0) {
+    const auto count = static_cast<Eigen::Index> (waves_.size());
+    squares_.setZero (count, count);
+    right_.setZero (count);
+  }
+  ++frames_;
+  collectCells (points, plane_of, planes, noise);
+  sumUp (planes, noise);
+  addProductsOfWaves();
+  eliminatePlanes();
+  solve (noise);
+}
+
+void
+DepthWarp::resize (int width, int height)
+{
+  if (width == width_ && height == height_)
+    return;
+  width_ = width;
+  height_ = height;
+  cell_size_ = std::max (width / cells_in_row, 1);
+  const double margin_px = margin * width;
+  // Products of two waves have up to twice their half periods.
+  const auto ofCells = [&] (int pixels) {
+    return cosines (
+        2 * max_half_periods, pixels / cell_size_, cell_size_, pixels, margin_px);
+  };
+  const auto ofPixels = [&] (int pixels) -> Eigen::MatrixXf {
+    return cosines (max_half_periods, pixels, 1, pixels, margin_px).cast<float>();
+  };
+  row_cosines_ = ofCells (width);
+  column_cosines_ = ofCells (height);
+  pixel_row_cosines_ = ofPixels (width);
+  pixel_column_cosines_ = ofPixels (height);
+  waves_.clear();
+  double sum = 0.;
+  for (int i = 0; i <= max_half_periods; ++i)
+    for (int j = 0; j <= max_half_periods; ++j) {
+      const double half_periods =
+          std::hypot (i, static_cast<double> (j * width) / height);
+      if (half_periods > max_half_periods)
+        continue;
+      waves_.push_back ({i, j, 1.});
+      sum += (i ? 0.5 : 1.) * (j ? 0.5 : 1.); // the mean square of the cosines
+    }
+  for (Wave& wave : waves_)
+    wave.variance /= sum;
+}
+
+void
+DepthWarp::collectCells (const OrganizedPoints& points,
+                         const std::vector<std::uint32_t>& plane_of,
+                         const PlaneVectors& planes,
+                         const DepthNoise& noise)
+{
+  planes_.resize (planes.size());
+  for (PlaneSums& sums : planes_)
+    sums.cells = 0;
+  cells_.clear();
+  Cell cell;
+  for (cell.row = 0; cell.row < column_cosines_.cols(); ++cell.row)
+    for (cell.column = 0; cell.column < row_cosines_.cols(); ++cell.column)
+      if (findMean (points, plane_of, noise, cell) && cell.plane < planes.size() &&
+          inverseDistance (planes[cell.plane]).allFinite()) {
+        cells_.push_back (cell);
+        ++planes_[cell.plane].cells;
+      }
+}
+
+/** False for a cell with few points or of several planes. */
+bool
+DepthWarp::findMean (const OrganizedPoints& points,
+                     const std::vector<std::uint32_t>& plane_of,
+                     const DepthNoise& noise,
+                     Cell& cell) const
+{
+  int count = 0;
+  float x = 0.f, y = 0.f, inverse_depth = 0.f;
+  const float max_squared_range = noise.max_range * noise.max_range;
+  for (int v = cell.row * cell_size_; v < (cell.row + 1) * cell_size_; ++v)
+    for (int u = cell.column * cell_size_; u < (cell.column + 1) * cell_size_; ++u) {
+      const std::size_t i =
+          static_cast<std::size_t> (v) * static_cast<std::size_t> (width_) +
+          static_cast<std::size_t> (u);
+      const Eigen::Map<const Eigen::Vector3f> p (points[i]);
+      if (!isMeasured (points[i]) || p.z() <= 0.f ||
+          p.squaredNorm() > max_squared_range)
+        continue;
+      if (count == 0)
+        cell.plane = plane_of[i];
+      if (plane_of[i] != cell.plane)
+        return false;
+      const float inverse = 1.f / p.z();
+      x += inverse * p.x();
+      y += inverse * p.y();
+      inverse_depth += inverse;
+      ++count;
+    }
+  cell.ray = Eigen::Vector3d (x, y, count) / count;
+  cell.inverse_depth = static_cast<double> (inverse_depth) / count;
+  return 2 * count >= cell_size_ * cell_size_;
+}
+
+void
+DepthWarp::sumUp (const PlaneVectors& planes, const DepthNoise& noise)
+{
+  const auto count = static_cast<Eigen::Index> (waves_.size());
+  const double change = change_in_warp * warpDeviation (noise);
+  for (PlaneSums& sums : planes_) {
+    sums.squares = Eigen::Matrix3d::Identity() / (change * change);
+    sums.right.setZero();
+    sums.waves.setZero (3, count);
+  }
+  weights_.setZero (column_cosines_.cols(), row_cosines_.cols());
+  Eigen::VectorXd waves (count);
+  for (const Cell& cell : cells_) {
+    PlaneSums& sums = planes_[cell.plane];
+    if (sums.cells < min_cells)
+      continue;
+    for (Eigen::Index k = 0; k < count; ++k)
+      waves[k] = row_cosines_ (waves_[k].along_row, cell.column) *
+                 column_cosines_ (waves_[k].along_column, cell.row);
+    // Errors of neighbours are alike: the mean of a cell is not much better than they are.
+    const double s = cell.inverse_depth;
+    const double sigma = noise.constant * s * s + noise.quadratic;
+    const double weight = 1. / (sigma * sigma);
+    const double error = s - inverseDistance (planes[cell.plane]).dot (cell.ray);
+    weights_ (cell.row, cell.column) = weight;
+    right_ += weight * error * waves;
+    sums.squares += weight * cell.ray * cell.ray.transpose();
+    sums.right += weight * error * cell.ray;
+    sums.waves.noalias() += weight * cell.ray * waves.transpose();
+  }
+}
+
+/** Products of cosines are sums of cosines, so the cosine transform of the weights has the
+ * sums over all cells. */
+void
+DepthWarp::addProductsOfWaves()
+{
+  const Eigen::MatrixXd sums = column_cosines_ * weights_ * row_cosines_.transpose();
+  for (std::size_t k = 0; k < waves_.size(); ++k)
+    for (std::size_t l = 0; l <= k; ++l) {
+      const Wave &a = waves_[k], &b = waves_[l];
+      const int u = a.along_row + b.along_row, v = a.along_column + b.along_column,
+                du = std::abs (a.along_row - b.along_row),
+                dv = std::abs (a.along_column - b.along_column);
+      squares_ (k, l) +=
+          0.25 * (sums (v, u) + sums (v, du) + sums (dv, u) + sums (dv, du));
+    }
+}
+
+/** Leaves as many equations as waves. */
+void
+DepthWarp::eliminatePlanes()
+{
+  for (const PlaneSums& sums : planes_) {
+    if (sums.cells < min_cells)
+      continue;
+    const Eigen::Matrix<double, 3, Eigen::Dynamic> weighed =
+        sums.squares.inverse() * sums.waves;
+    squares_.triangularView<Eigen::Lower>() -= sums.waves.transpose() * weighed;
+    right_.noalias() -= weighed.transpose() * sums.right;
+  }
+}
+
+void
+DepthWarp::solve (const DepthNoise& noise)
+{
+  const double warp = warpDeviation (noise);
+  Eigen::MatrixXd squares = squares_;
+  for (std::size_t k = 0; k < waves_.size(); ++k)
+    squares (k, k) += 1. / (waves_[k].variance * warp * warp);
+  const Eigen::VectorXd amplitudes =
+      squares.selfadjointView<Eigen::Lower>().llt().solve (right_);
+  constexpr int number = max_half_periods + 1;
+  Eigen::MatrixXf spectrum = Eigen::MatrixXf::Zero (number, number);
+  for (std::size_t k = 0; k < waves_.size(); ++k)
+    spectrum (waves_[k].along_row, waves_[k].along_column) =
+        static_cast<float> (amplitudes[k]);
+  image_.noalias() = pixel_row_cosines_.transpose() * spectrum * pixel_column_cosines_;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

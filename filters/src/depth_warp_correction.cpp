@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/features/impl/instantiate.hpp>
+#include <pcl/filters/impl/depth_warp_correction.hpp>
+
+PCL_INSTANTIATE (DepthWarpCorrection, PCL_RGBD_PLANES_XYZ_POINT_TYPES)
