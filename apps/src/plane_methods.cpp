@@ -110,6 +110,12 @@ public:
   void
   calibrateRoughly (const Cloud::ConstPtr& cloud, unsigned min_inliers)
   {
+    if (rough_correction_.getNumberOfFrames() == 0)
+      corrected_->resize (cloud->width, cloud->height);
+    else if (cloud->width != corrected_->width || cloud->height != corrected_->height)
+      throw AppError (
+          "--corrected camera: the frames are of several sizes, but those of "
+          "one camera have one; evaluate each camera by itself");
     segment (coarse_, cloud, min_inliers);
     rough_correction_.addFrame (*cloud, output_.models, output_.inliers);
   }

@@ -99,6 +99,17 @@ TEST_F (EvaluatePlanes, CorrectedDepth)
   }
 }
 
+TEST_F (EvaluatePlanes, FramesOfACameraHaveOneSize)
+{
+  const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
+  pcl::io::savePCDFileBinary (folder_ / "wide.pcd", *scene.cloud);
+  auto narrow = *scene.cloud;
+  narrow.resize (640, 400);
+  pcl::io::savePCDFileBinary (folder_ / "narrow.pcd", narrow);
+  EXPECT_EQ (run ("wide.pcd narrow.pcd --resolution qvga --corrected frame").code, 0);
+  expectRefused ("wide.pcd narrow.pcd --resolution qvga --corrected camera", "sizes");
+}
+
 TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
