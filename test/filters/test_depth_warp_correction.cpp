@@ -270,11 +270,14 @@ TEST (DepthWarpCorrection, WhatHasNoDepthStays)
                                      {0.f, 0.f, 0.f},
                                      {0.1f, 0.1f, inf},
                                      {0.1f, 0.2f, -3.f},
-                                     {3.f, 2.f, 1e4f},
                                      {3.f, 2.f, 1e30f}};
   for (std::size_t i = 0; i < std::size (strange); ++i)
     (*cloud)[i].getVector3fMap() = strange[i];
+  for (std::size_t i = 1000; i < cloud->size(); i += 100) // both too near and too far
+    (*cloud)[i].z = 1e8f;
   const Cloud output = correctWith (correction, cloud);
+  for (std::size_t i = 1000; i < cloud->size(); i += 100)
+    EXPECT_EQ (output[i].z, 1e8f) << i;
   for (std::size_t i = 0; i < std::size (strange); ++i)
     for (Eigen::Index k = 0; k < 3; ++k)
       EXPECT_TRUE (std::isnan (strange[i][k])
