@@ -31,6 +31,7 @@ namespace pcl {
  * Points move along their viewing ray and keep their pixel. What is left of the error is
  * noise, which DepthNoise::kinectV1Corrected() describes for a segmentation of the output.
  * It is only as good as the planes: whatever makes one of two surfaces is taken for warp.
+ * An error of inverse depth that is linear in the image tilts all planes alike, and stays.
  *
  * The output has all points of the input, its organization and its header; all fields but
  * coordinates stay. With indices, only these points move. Output and input may be the same
