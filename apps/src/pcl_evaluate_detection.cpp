@@ -2,15 +2,20 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/depth_correction.h>
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/object_comparison.h>
+#include <pcl/apps/plane_truth.h>
+#include <pcl/common/io.h>
 
 #include <boost/program_options/options_description.hpp>
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace po = boost::program_options;
 
@@ -32,11 +37,51 @@ of the true ones, of all and of those that are seen: with measured points over b
 horizontal sides and up to the top. Obstacles count from the larger of 1 cm and three
 standard deviations of depth on, and are found when half of their points are. False are
 floor points that are called an obstacle. The rate is that of all stages on one thread:
-normals, planes, objects, obstacles.
+normals, planes, objects, obstacles; to correct points is not one of them.
 
   pcl_evaluate_detection sim:table_cluttered sim:floor_obstacles --json detection.json
   pcl_evaluate_detection folder_of_pcds --resolution qvga
 )";
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using FrameCallbacks = std::vector<std::function<void (const Frame&)>>;
+
+Cloud::Ptr
+coordinates (const Frame& frame)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  pcl::copyPointCloud (*frame.cloud, *cloud);
+  return cloud;
+}
+
+unsigned
+minInliers (const Frame& frame)
+{
+  return static_cast<unsigned> (minPlanePoints (frame, frame.cloud->size()));
+}
+
+FrameCallbacks
+calibration (DepthCorrection& correction)
+{
+  FrameCallbacks steps;
+  for (const auto& calibrate : correction.calibration())
+    steps.push_back ([calibrate] (const Frame& frame) {
+      calibrate (coordinates (frame), minInliers (frame));
+    });
+  return steps;
+}
+
+Frame
+corrected (const Frame& measured, DepthCorrection& correction)
+{
+  Frame frame = measured;
+  frame.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (*measured.cloud);
+  const Cloud& points =
+      *correction.correct (coordinates (measured), minInliers (measured));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    (*frame.cloud)[i].getVector3fMap() = points[i].getVector3fMap();
+  return frame;
+}
 
 void
 evaluateDetection (int argc, char** argv)
@@ -45,6 +90,7 @@ evaluateDetection (int argc, char** argv)
   own.add_options() ("object-methods",
                      "a second table: objects with and without the split at concave "
                      "edges, and those of PCL's LCCPSegmentation, which takes long");
+  addCorrectedOption (own);
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
@@ -52,9 +98,13 @@ evaluateDetection (int argc, char** argv)
   std::optional<ObjectComparison> objects;
   if (command->values.count ("object-methods"))
     objects.emplace (command->steps);
+  std::optional<DepthCorrection> correction;
+  if (const auto source = readCorrected (command->values))
+    correction.emplace (*source);
   runEvaluation (
       *command,
-      [&] (const Frame& frame) {
+      [&] (const Frame& measured) {
+        const Frame frame = correction ? corrected (measured, *correction) : measured;
         comparison.add (frame);
         if (objects)
           objects->add (frame);
@@ -65,7 +115,8 @@ evaluateDetection (int argc, char** argv)
         if (objects)
           json["object_methods"] = objects->rows();
         return json.dump (2) + '\n';
-      });
+      },
+      correction ? calibration (*correction) : FrameCallbacks());
 }
 
 } // namespace

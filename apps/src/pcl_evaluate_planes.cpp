@@ -39,6 +39,8 @@ least squares fits to the true labels (fit). Walls are vertical true planes of 2
 pixels and more, in pairs at 30 degrees and more: how far the angle between the planes with
 at least half of their points is from the true one (inf: not found), and that of the fits.
 
+With --corrected there is another row: ours on corrected points.
+
   pcl_evaluate_planes sim:room:{1..10} --json planes.json --corrected frame
   pcl_evaluate_planes folder_of_pcds --right-angles floor
 )";
@@ -54,19 +56,6 @@ readRightAngles (const po::variables_map& values)
   if (pairs == "floor")
     return RightAngles::Pairs::with_floor;
   throw AppError ("--right-angles: '" + pairs + "' must be all or floor");
-}
-
-std::optional<WarpSource>
-readCorrected (const po::variables_map& values)
-{
-  if (!values.count ("corrected"))
-    return std::nullopt;
-  const auto& source = values["corrected"].as<std::string>();
-  if (source == "frame")
-    return WarpSource::frame;
-  if (source == "camera")
-    return WarpSource::camera;
-  throw AppError ("--corrected: '" + source + "' must be frame or camera");
 }
 
 /** None of the folders that frames are read from. */
@@ -99,13 +88,8 @@ evaluatePlanes (int argc, char** argv)
       po::value<std::string>()->value_name ("all|floor"),
       "the scene is right-angled: how far planes with 2 % of the pixels and more are "
       "from 90 degrees, in pairs within 20 degrees of that, or only those with the "
-      "floor, the lowest plane of the image") (
-      "corrected",
-      po::value<std::string>()->value_name ("frame|camera"),
-      "ours once more on points that DepthWarpCorrection corrected: the planes of the "
-      "frame itself tell the error of depth, or those of all frames, which are of one "
-      "camera then; they are found on points as measured, and once more on points "
-      "that these corrected");
+      "floor, the lowest plane of the image");
+  addCorrectedOption (own);
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;

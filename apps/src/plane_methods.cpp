@@ -5,7 +5,6 @@
 #include <pcl/apps/plane_methods.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/filters/depth_warp_correction.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
@@ -22,14 +21,12 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
 
 /** What the planes of a frame are written to, frame after frame. */
-struct Output {
+struct Output : SegmentedPlanes {
   Normals::Ptr normals = pcl::make_shared<Normals>();
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers;
 };
 
 void
-convert (const Output& output, std::size_t points, PlaneSet& planes)
+convert (const SegmentedPlanes& output, std::size_t points, PlaneSet& planes)
 {
   planes.coefficients.clear();
   planes.labels.assign (points, unlabelled);
@@ -97,106 +94,24 @@ normalSpaceMethod (const std::string& name, const Additions& additions)
                      });
 }
 
-/** Ours on points that DepthWarpCorrection corrected. Planes of points as measured tell the
- * warp roughly, those of points that are roughly corrected tell it finely. */
-class CorrectedMethod {
-public:
-  explicit CorrectedMethod (WarpSource source) : source_ (source)
-  {
-    fine_.setDepthNoise (DepthNoise::kinectV1Corrected());
-    fine_.setDistanceThreshold (0.007);
-  }
-
-  void
-  calibrateRoughly (const Cloud::ConstPtr& cloud, unsigned min_inliers)
-  {
-    if (rough_correction_.getNumberOfFrames() == 0)
-      corrected_->resize (cloud->width, cloud->height);
-    else if (cloud->width != corrected_->width || cloud->height != corrected_->height)
-      throw AppError (
-          "--corrected camera: the frames are of several sizes, but those of "
-          "one camera have one; evaluate each camera by itself");
-    segment (coarse_, cloud, min_inliers);
-    rough_correction_.addFrame (*cloud, output_.models, output_.inliers);
-  }
-
-  void
-  calibrateFinely (const Cloud::ConstPtr& cloud, unsigned min_inliers)
-  {
-    correct (rough_correction_, cloud);
-    segment (fine_, corrected_, min_inliers);
-    correction_.addFrame (*cloud, output_.models, output_.inliers);
-  }
-
-  double
-  compute (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    if (source_ == WarpSource::frame) {
-      rough_correction_.clearFrames();
-      correction_.clearFrames();
-      calibrateRoughly (cloud, min_inliers);
-      calibrateFinely (cloud, min_inliers);
-    }
-    correct (correction_, cloud);
-    segment (fine_, corrected_, min_inliers);
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    convert (output_, cloud->size(), set);
-    set.cloud = pcl::make_shared<Cloud> (*corrected_);
-    return elapsed.count();
-  }
-
-private:
-  using Segmentation = pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal>;
-
-  void
-  segment (Segmentation& segmentation,
-           const Cloud::ConstPtr& cloud,
-           unsigned min_inliers)
-  {
-    estimation_.setInputCloud (cloud);
-    estimation_.compute (*output_.normals);
-    segmentation.setMinInliers (min_inliers);
-    segmentation.setInputCloud (cloud);
-    segmentation.setInputNormals (output_.normals);
-    segmentation.segment (output_.models, output_.inliers);
-  }
-
-  void
-  correct (pcl::DepthWarpCorrection<pcl::PointXYZ>& correction,
-           const Cloud::ConstPtr& cloud)
-  {
-    correction.setInputCloud (cloud);
-    correction.filter (*corrected_);
-  }
-
-  WarpSource source_;
-  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation_;
-  Segmentation coarse_, fine_;
-  pcl::DepthWarpCorrection<pcl::PointXYZ> rough_correction_, correction_;
-  Cloud::Ptr corrected_ = pcl::make_shared<Cloud>();
-  Output output_;
-};
-
+/** Ours on corrected points. */
 PlaneMethod
 correctedMethod (WarpSource source)
 {
-  const auto method = std::make_shared<CorrectedMethod> (source);
-  PlaneMethod result;
-  result.name = "corrected";
-  result.compute =
-      [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
-        return method->compute (cloud, min_inliers, set);
-      };
-  if (source == WarpSource::camera)
-    result.calibration = {[=] (const Cloud::ConstPtr& cloud, unsigned min_inliers) {
-                            method->calibrateRoughly (cloud, min_inliers);
-                          },
-                          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers) {
-                            method->calibrateFinely (cloud, min_inliers);
-                          }};
-  return result;
+  const auto correction = std::make_shared<DepthCorrection> (source);
+  const auto planes = std::make_shared<SegmentedPlanes>();
+  return {"corrected",
+          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
+            const auto start = std::chrono::steady_clock::now();
+            const auto& corrected = correction->correct (cloud, min_inliers);
+            correction->findPlanes (corrected, min_inliers, *planes);
+            const std::chrono::duration<double, std::milli> elapsed =
+                std::chrono::steady_clock::now() - start;
+            convert (*planes, cloud->size(), set);
+            set.cloud = pcl::make_shared<Cloud> (*corrected);
+            return elapsed.count();
+          },
+          correction->calibration()};
 }
 
 struct Addition {

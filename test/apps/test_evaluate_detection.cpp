@@ -46,6 +46,24 @@ TEST_F (EvaluateDetection, ObstaclesOnSimulatedFloors)
   }
 }
 
+// The warp of depth raises far floor.
+TEST_F (EvaluateDetection, CorrectedDepth)
+{
+  const std::string frames = "sim:room:1:1 sim:room:2:1 sim:room:3:1 sim:room:4:1 "
+                             "--resolution qvga --json table.json ";
+  ASSERT_EQ (run (frames).code, 0);
+  const json measured = results().at (0);
+  for (const std::string source : {"frame", "camera"}) {
+    const Outcome outcome = run (frames + "--corrected " + source);
+    ASSERT_EQ (outcome.code, 0) << outcome.err;
+    const json corrected = results().at (0);
+    EXPECT_EQ (corrected["obstacles_percent"], 100.) << source;
+    EXPECT_LT (corrected["false_obstacle_points_percent"].get<double>(),
+               0.5 * measured["false_obstacle_points_percent"].get<double>())
+        << source;
+  }
+}
+
 TEST_F (EvaluateDetection, ObjectsOnASimulatedTable)
 {
   const Outcome outcome = run ("sim:table_single:1 --resolution qvga --object-methods "
@@ -84,5 +102,6 @@ TEST_F (EvaluateDetection, BadUsage)
 {
   expectRefused ("", "INPUT");
   expectRefused ("sim:nowhere", "nowhere");
+  expectRefused ("sim:floor_obstacles --corrected floor", "floor");
   expectRefused ("sim:floor_obstacles --json no/where.json", "no");
 }

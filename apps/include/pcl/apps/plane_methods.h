@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/apps/depth_correction.h>
 #include <pcl/apps/plane_evaluation.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -33,18 +34,12 @@ struct PlaneMethod {
       compute;
   /** What learns from all frames of a camera: each of these is to be shown every frame, one
    * after the other, before the first compute. */
-  std::vector<std::function<void (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-                                  unsigned min_inliers)>>
-      calibration;
+  std::vector<DepthCorrection::Calibration> calibration;
 };
 
 /** \brief What planeMethods() can leave out: "creases, noise, ..." */
 std::string
 planeAdditionNames ();
-
-/** \brief Which planes tell the warp of depth: those of the same frame, or of all frames, which
- * are of one camera then. */
-enum class WarpSource { frame, camera };
 
 /** \brief Ours, "normal_space", and PCL's OrganizedMultiPlaneSegmentation on
  * AVERAGE_3D_GRADIENT normals with a smoothing size of 10, "pcl_omps"; other settings as
