@@ -65,7 +65,7 @@ DepthCorrection::calibrateRoughly (const Cloud::ConstPtr& cloud, unsigned min_in
     throw AppError ("--corrected camera: the frames are of several sizes, but those of "
                     "one camera have one; evaluate each camera by itself");
   segment (coarse_, cloud, min_inliers, planes_);
-  rough_correction_.addFrame (*cloud, planes_.models, planes_.inliers);
+  rough_correction_.addFrame (cloud, planes_.models, planes_.inliers);
 }
 
 void
@@ -73,7 +73,7 @@ DepthCorrection::calibrateFinely (const Cloud::ConstPtr& cloud, unsigned min_inl
 {
   apply (rough_correction_, cloud);
   segment (fine_, corrected_, min_inliers, planes_);
-  correction_.addFrame (*cloud, planes_.models, planes_.inliers);
+  correction_.addFrame (cloud, planes_.models, planes_.inliers);
 }
 
 const DepthCorrection::Cloud::Ptr&

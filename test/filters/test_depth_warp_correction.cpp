@@ -110,7 +110,7 @@ Cloud
 correct (const Corner& corner)
 {
   Correction correction;
-  EXPECT_TRUE (correction.addFrame (*corner.cloud, corner.models(), corner.inliers));
+  EXPECT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
   return correctWith (correction, corner.cloud);
 }
 
@@ -187,9 +187,9 @@ TEST (DepthWarpCorrection, FramesAddWhatTheyTell)
   Correction both;
   for (std::size_t h = 0; h < 2; ++h) {
     Correction one;
-    ASSERT_TRUE (one.addFrame (*corner.cloud, corner.models(), halves[h]));
+    ASSERT_TRUE (one.addFrame (corner.cloud, corner.models(), halves[h]));
     alone[h] = corner.depthError (correctWith (one, corner.cloud));
-    ASSERT_TRUE (both.addFrame (*corner.cloud, corner.models(), halves[h]));
+    ASSERT_TRUE (both.addFrame (corner.cloud, corner.models(), halves[h]));
   }
   EXPECT_EQ (both.getNumberOfFrames(), 2u);
   EXPECT_LT (corner.depthError (correctWith (both, corner.cloud)),
@@ -249,13 +249,31 @@ TEST (DepthWarpCorrection, CellsWithFewPointsDoNotCount)
     }
 }
 
+TEST (DepthWarpCorrection, PointsAtTheCameraTellNothing)
+{
+  const Corner corner (160, waves);
+  for (std::uint32_t v = 0; v < 20; ++v)
+    for (std::uint32_t u = 0; u < 20; ++u) {
+      auto p = (*corner.cloud) (u, v).getVector3fMap();
+      p *= 1e-39f / p.z();
+    }
+  const Cloud near = correct (corner);
+  for (std::uint32_t v = 0; v < 20; ++v)
+    for (std::uint32_t u = 0; u < 20; ++u)
+      (*corner.cloud) (u, v).getVector3fMap().setConstant (not_a_number);
+  const Cloud missing = correct (corner);
+  for (std::size_t i = 20 * 160; i < near.size(); ++i)
+    EXPECT_EQ (near[i].z, missing[i].z) << i;
+  EXPECT_LT (std::abs (near.back().z - corner.truth.back().z), 0.02f);
+}
+
 TEST (DepthWarpCorrection, PointsBeyondTheRangeOfTheSensorTellNothing)
 {
   const Corner corner (160, waves);
   Correction correction;
   correction.setDepthNoise ({0.001f, 0.002f, 1.f});
   EXPECT_EQ (correction.getDepthNoise().max_range, 1.f);
-  ASSERT_TRUE (correction.addFrame (*corner.cloud, corner.models(), corner.inliers));
+  ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
   expectSameBytes (correctWith (correction, corner.cloud), *corner.cloud);
 }
 
@@ -263,7 +281,7 @@ TEST (DepthWarpCorrection, WhatHasNoDepthStays)
 {
   const Corner corner (160, waves);
   Correction correction;
-  ASSERT_TRUE (correction.addFrame (*corner.cloud, corner.models(), corner.inliers));
+  ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
   const float inf = std::numeric_limits<float>::infinity();
   const auto cloud = pcl::make_shared<Cloud> (*corner.cloud);
   const Eigen::Vector3f strange[] = {{not_a_number, not_a_number, not_a_number},
@@ -297,7 +315,7 @@ TEST (DepthWarpCorrection, OnlyIndicesMoveAndOtherFieldsStay)
     (*cloud)[i].rgba = static_cast<std::uint32_t> (i);
   }
   cloud->header.frame_id = "camera";
-  ASSERT_TRUE (correction.addFrame (*cloud, corner.models(), corner.inliers));
+  ASSERT_TRUE (correction.addFrame (cloud, corner.models(), corner.inliers));
   const Cloud all = correct (corner);
   correction.setInputCloud (cloud);
   const auto some = pcl::make_shared<pcl::Indices> (pcl::Indices{200, 5000, 19000});
@@ -322,7 +340,7 @@ TEST (DepthWarpCorrection, AnotherCamera)
   Correction correction;
   for (const std::uint32_t width : {320u, 161u, 8u, 320u}) {
     const Corner corner (width, waves);
-    ASSERT_TRUE (correction.addFrame (*corner.cloud, corner.models(), corner.inliers));
+    ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
     EXPECT_EQ (correction.getNumberOfFrames(), 1u);
     expectSameBytes (correctWith (correction, corner.cloud), correct (corner));
     correction.clearFrames();
@@ -337,22 +355,23 @@ TEST (DepthWarpCorrection, WrongUseIsAnErrorAndLeavesNothing)
   Correction correction;
   EXPECT_TRUE (correctWith (correction, corner.cloud).empty()) << "no frames";
 
-  EXPECT_FALSE (correction.addFrame (*corner.cloud, models, Inliers (3)));
-  EXPECT_FALSE (correction.addFrame (*corner.cloud, models, other.inliers));
+  EXPECT_FALSE (correction.addFrame (corner.cloud, models, Inliers (3)));
+  EXPECT_FALSE (correction.addFrame (corner.cloud, models, other.inliers));
   Inliers negative (4);
   negative[2].indices = {-1};
-  EXPECT_FALSE (correction.addFrame (*corner.cloud, models, negative));
-  Cloud row;
-  row.resize (19200);
+  EXPECT_FALSE (correction.addFrame (corner.cloud, models, negative));
+  const auto row = pcl::make_shared<Cloud>();
+  row->resize (19200);
   EXPECT_FALSE (correction.addFrame (row, models, corner.inliers));
-  EXPECT_FALSE (correction.addFrame (Cloud(), models, Inliers (4)));
+  EXPECT_FALSE (correction.addFrame (pcl::make_shared<Cloud>(), models, Inliers (4)));
+  EXPECT_FALSE (correction.addFrame (nullptr, models, corner.inliers));
   EXPECT_EQ (correction.getNumberOfFrames(), 0u);
 
-  EXPECT_TRUE (correction.addFrame (*corner.cloud, models, corner.inliers));
-  EXPECT_FALSE (correction.addFrame (*other.cloud, models, other.inliers));
+  EXPECT_TRUE (correction.addFrame (corner.cloud, models, corner.inliers));
+  EXPECT_FALSE (correction.addFrame (other.cloud, models, other.inliers));
   EXPECT_EQ (correction.getNumberOfFrames(), 1u);
   EXPECT_TRUE (correctWith (correction, other.cloud).empty()) << "another size";
-  EXPECT_TRUE (correctWith (correction, pcl::make_shared<Cloud> (row)).empty());
+  EXPECT_TRUE (correctWith (correction, row).empty());
   correction.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{19200}));
   EXPECT_TRUE (correctWith (correction, corner.cloud).empty()) << "an index outside";
 }
@@ -361,6 +380,6 @@ TEST (DepthWarpCorrection, FramesWithoutPlanesTellNothing)
 {
   const Corner corner (160, waves);
   Correction correction;
-  EXPECT_TRUE (correction.addFrame (*corner.cloud, {}, {}));
+  EXPECT_TRUE (correction.addFrame (corner.cloud, {}, {}));
   expectSameBytes (correctWith (correction, corner.cloud), *corner.cloud);
 }

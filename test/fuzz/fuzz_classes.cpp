@@ -356,7 +356,7 @@ private:
     correction_.setDepthNoise (anyNoise (data_));
     if (data_.ConsumeBool())
       correction_.clearFrames();
-    correction_.addFrame (*cloud_, planes_, inliers_);
+    correction_.addFrame (cloud_, planes_, inliers_);
     apply (correction_);
   }
 

@@ -167,7 +167,7 @@ private:
     projection.filter (output);
     add ("projected points", output);
     pcl::DepthWarpCorrection<PointT> correction;
-    correction.addFrame (*cloud_, models_, inliers_);
+    correction.addFrame (cloud_, models_, inliers_);
     correction.setInputCloud (cloud_);
     correction.filter (output);
     add ("corrected points", output);

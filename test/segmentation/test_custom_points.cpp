@@ -97,7 +97,7 @@ TEST (CustomPoints, GoThroughDetectionAndAllFilters)
       << "already on its plane";
 
   pcl::DepthWarpCorrection<WarmPoint> correction;
-  EXPECT_TRUE (correction.addFrame (*cloud, {}, {}));
+  EXPECT_TRUE (correction.addFrame (cloud, {}, {}));
   correction.setInputCloud (cloud);
   correction.filter (output);
   EXPECT_EQ (output.back().temperature, cloud->back().temperature);

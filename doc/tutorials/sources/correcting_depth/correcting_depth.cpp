@@ -71,7 +71,7 @@ main (int argc, char** argv)
   pcl::DepthWarpCorrection<pcl::PointXYZ> rough;
   for (const auto& cloud : clouds) {
     const Planes planes = findPlanes (cloud, false);
-    rough.addFrame (*cloud, planes.models, planes.inliers);
+    rough.addFrame (cloud, planes.models, planes.inliers);
   }
   // [/rough]
 
@@ -82,7 +82,7 @@ main (int argc, char** argv)
     rough.setInputCloud (cloud);
     rough.filter (*corrected);
     const Planes planes = findPlanes (corrected, true);
-    fine.addFrame (*cloud, planes.models, planes.inliers);
+    fine.addFrame (cloud, planes.models, planes.inliers);
   }
   // [/fine]
 

@@ -23,7 +23,7 @@ namespace pcl {
  * \code
  * segmentation.segment (model_coefficients, inlier_indices);
  * pcl::DepthWarpCorrection<pcl::PointXYZ> correction;
- * correction.addFrame (*cloud, model_coefficients, inlier_indices); // more frames: better
+ * correction.addFrame (cloud, model_coefficients, inlier_indices); // more frames: better
  * correction.setInputCloud (cloud);
  * correction.filter (*corrected);
  * \endcode
@@ -53,18 +53,19 @@ public:
   using Ptr = shared_ptr<DepthWarpCorrection<PointT>>;
   using ConstPtr = shared_ptr<const DepthWarpCorrection<PointT>>;
   using typename Filter<PointT>::PointCloud;
+  using typename Filter<PointT>::PointCloudConstPtr;
 
   DepthWarpCorrection() { filter_name_ = "DepthWarpCorrection"; }
 
-  /** \brief Adds what the planes of a frame tell; false after an error message where the
-   * cloud is no image of the size of the frames before, or the planes are not those of the
+  /** \brief Adds what the planes of a frame tell; false after an error message where there is no
+   * cloud, it is no image of the size of the frames before, or the planes are not those of the
    * cloud.
    * \param[in] cloud as measured, in the camera frame, z forward
    * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
    * \param[in] inlier_indices the points of each plane
    */
   bool
-  addFrame (const PointCloud& cloud,
+  addFrame (const PointCloudConstPtr& cloud,
             const std::vector<ModelCoefficients>& model_coefficients,
             const std::vector<PointIndices>& inlier_indices);
 

@@ -16,26 +16,27 @@ namespace pcl {
 template <typename PointT>
 bool
 DepthWarpCorrection<PointT>::addFrame (
-    const PointCloud& cloud,
+    const PointCloudConstPtr& cloud,
     const std::vector<ModelCoefficients>& model_coefficients,
     const std::vector<PointIndices>& inlier_indices)
 {
-  std::string fault = faultOf (cloud);
-  const bool belong =
-      inlier_indices.size() == model_coefficients.size() &&
-      std::all_of (inlier_indices.begin(), inlier_indices.end(), [&] (const auto& i) {
-        return rgbd_planes::indicesInside (i.indices, cloud.size());
-      });
-  if (fault.empty() && !belong)
+  std::string fault = cloud ? faultOf (*cloud)
+                            : "There is no cloud: pass the one whose planes these are.";
+  const auto isInside = [&] (const PointIndices& inliers) {
+    return rgbd_planes::indicesInside (inliers.indices, cloud->size());
+  };
+  if (fault.empty() &&
+      (inlier_indices.size() != model_coefficients.size() ||
+       !std::all_of (inlier_indices.begin(), inlier_indices.end(), isInside)))
     fault =
-        "The planes are not those of the cloud of " + std::to_string (cloud.size()) +
+        "The planes are not those of the cloud of " + std::to_string (cloud->size()) +
         " points: pass the coefficients of each plane and the indices of its points.";
   if (!fault.empty()) {
     PCL_ERROR ("[pcl::%s::addFrame] %s\n", getClassName().c_str(), fault.c_str());
     return false;
   }
-  rgbd_planes::fillPlaneOf (inlier_indices, cloud.size(), plane_of_);
-  warp_.add (rgbd_planes::viewPoints (cloud),
+  rgbd_planes::fillPlaneOf (inlier_indices, cloud->size(), plane_of_);
+  warp_.add (rgbd_planes::viewPoints (*cloud),
              plane_of_,
              rgbd_planes::planeVectors (model_coefficients),
              noise_);
