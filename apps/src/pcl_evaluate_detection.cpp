@@ -101,13 +101,18 @@ evaluateDetection (int argc, char** argv)
   std::optional<DepthCorrection> correction;
   if (const auto source = readCorrected (command->values))
     correction.emplace (*source);
+  const auto add = [&] (const Frame& frame) {
+    comparison.add (frame);
+    if (objects)
+      objects->add (frame);
+  };
   runEvaluation (
       *command,
       [&] (const Frame& measured) {
-        const Frame frame = correction ? corrected (measured, *correction) : measured;
-        comparison.add (frame);
-        if (objects)
-          objects->add (frame);
+        if (correction)
+          add (corrected (measured, *correction));
+        else
+          add (measured);
       },
       [&] { return comparison.table() + (objects ? '\n' + objects->table() : ""); },
       [&] {

@@ -27,10 +27,8 @@ constexpr int runs_per_frame = 3;
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 measuredCloud (const Frame& frame, std::uint32_t step)
 {
-  pcl::PointCloud<pcl::PointXYZ> full;
-  pcl::copyPointCloud (*frame.cloud, full);
-  auto cloud =
-      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, step));
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  pcl::copyPointCloud (subsample (*frame.cloud, step), *cloud);
   if (cloud->width < min_pixels || cloud->height < min_pixels)
     throw AppError (frame.name + ": is too small as " + resolutionName (step) +
                     ", 40 x 40 pixels are needed; use --resolution vga or larger "

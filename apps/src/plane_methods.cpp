@@ -108,7 +108,7 @@ correctedMethod (WarpSource source)
             const std::chrono::duration<double, std::milli> elapsed =
                 std::chrono::steady_clock::now() - start;
             convert (*planes, cloud->size(), set);
-            set.cloud = pcl::make_shared<Cloud> (*corrected);
+            set.cloud = corrected;
             return elapsed.count();
           },
           correction->calibration()};

@@ -16,7 +16,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Planes of a frame and the points on them: those given, or corrected ones. */
+/** \brief Planes of a frame and the points on them, those given, or corrected ones, which stay
+ * until the method has the next frame. */
 struct FoundPlanes : PlaneSet {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
 };

@@ -23,9 +23,9 @@ namespace rgbd_planes {
  * The inverse depth 1/z of a plane m * p = 1 is m * (x/z, y/z, 1). What is measured is that
  * plus the warp of the camera at the pixel, which does not depend on the plane: a sum of
  * cosines with waves of down to a third of the width of the image, each as likely as the
- * others. All planes of all frames and the warp are found together by least squares. A single
- * plane cannot be told from a warp that is linear in the image; several planes, each bent by
- * its part of the same smooth warp, can.
+ * others. All planes of all frames and the warp are found together by least squares. What
+ * bends planes tells the warp; a part that is linear in the image tilts all of them alike,
+ * and they do not tell it.
  */
 class PCL_RGBD_PLANES_EXPORTS DepthWarp {
 public:
