@@ -27,6 +27,12 @@ constexpr double least_warp = 1e-6; // 1/m
 /** The standard deviation of what planes change by, m of m * p = 1, in that of the warp:
  * large, for directions in which few points tell nothing. */
 constexpr double change_in_warp = 10.;
+/** Planes at right angles are so to about this, radians. */
+constexpr double right_angle_deviation = 0.5 * M_PI / 180.;
+/** What the warp may tilt planes at right angles by, radians. */
+constexpr double max_right_angle_error = 4. * M_PI / 180.;
+/** Waves shorter than those of the warp make the errors of so many cells alike. */
+constexpr double cells_alike = 30.;
 
 double
 warpDeviation (const DepthNoise& noise)
@@ -67,7 +73,8 @@ void
 DepthWarp::add (const OrganizedPoints& points,
                 const std::vector<std::uint32_t>& plane_of,
                 const PlaneVectors& planes,
-                const DepthNoise& noise)
+                const DepthNoise& noise,
+                bool right_angles)
 {
   resize (points.width, points.height);
   if (frames_ == 0) {
@@ -79,7 +86,9 @@ DepthWarp::add (const OrganizedPoints& points,
   collectCells (points, plane_of, planes, noise);
   sumUp (planes, noise);
   addProductsOfWaves();
-  eliminatePlanes();
+  eliminatePlanes (planes);
+  if (right_angles)
+    addRightAngles();
   solve (noise);
 }
 
@@ -224,16 +233,44 @@ DepthWarp::addProductsOfWaves()
 
 /** Leaves as many equations as waves. */
 void
-DepthWarp::eliminatePlanes()
+DepthWarp::eliminatePlanes (const PlaneVectors& planes)
 {
-  for (const PlaneSums& sums : planes_) {
+  normals_.clear();
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const PlaneSums& sums = planes_[k];
     if (sums.cells < min_cells)
       continue;
-    const Eigen::Matrix<double, 3, Eigen::Dynamic> weighed =
-        sums.squares.inverse() * sums.waves;
+    const Eigen::Matrix3d covariance = sums.squares.inverse();
+    const Eigen::Matrix<double, 3, Eigen::Dynamic> weighed = covariance * sums.waves;
     squares_.triangularView<Eigen::Lower>() -= sums.waves.transpose() * weighed;
     right_.noalias() -= weighed.transpose() * sums.right;
+    const Eigen::Vector3d best = inverseDistance (planes[k]) + covariance * sums.right;
+    const double norm = best.norm();
+    normals_.push_back ({best / norm, covariance / (norm * norm), weighed / -norm});
   }
+}
+
+/** For each pair of normals the cosine that is to be 0, which is linear in the amplitudes of the
+ * waves. */
+void
+DepthWarp::addRightAngles()
+{
+  const double max_cosine = std::sin (max_right_angle_error);
+  const double variance = right_angle_deviation * right_angle_deviation;
+  for (std::size_t k = 0; k < normals_.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l) {
+      const Normal &a = normals_[k], &b = normals_[l];
+      const double cosine = a.unit.dot (b.unit);
+      if (!(std::abs (cosine) < max_cosine)) // NaN, too
+        continue;
+      const Eigen::VectorXd change =
+          a.change.transpose() * b.unit + b.change.transpose() * a.unit;
+      const double weight =
+          1. / (variance + cells_alike * (b.unit.dot (a.covariance * b.unit) +
+                                          a.unit.dot (b.covariance * a.unit)));
+      squares_.selfadjointView<Eigen::Lower>().rankUpdate (change, weight);
+      right_ -= weight * cosine * change;
+    }
 }
 
 void

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -23,11 +24,14 @@ namespace {
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /** The corner of a room as a camera sees it whose inverse depth errs by \a warp, a function
- * of the pixel at VGA: a floor 1.2 m below the camera and three walls. */
+ * of the pixel at VGA: a floor 1.2 m below the camera and walls. */
 class Corner {
 public:
-  explicit Corner (std::uint32_t width, double (*warp) (double u, double v))
-  : inliers (planes.size())
+  explicit Corner (std::uint32_t width,
+                   double (*warp) (double u, double v),
+                   const Planes& floor_and_walls = threeWalls())
+  : planes (floor_and_walls)
+  , inliers (floor_and_walls.size())
   {
     cloud->resize (width, width * 3 / 4);
     truth.resize (width, width * 3 / 4);
@@ -74,10 +78,27 @@ public:
     return std::sqrt (squares / static_cast<double> (points.size()));
   }
 
-  Planes planes{{0.f, -1.f, 0.f, 1.2f},
-                {0.f, 0.f, -1.f, 4.f},
-                {0.8f, 0.f, -0.6f, 2.6f},
-                {-0.7071f, 0.f, -0.7071f, 3.3f}};
+  static Planes
+  threeWalls ()
+  {
+    return {{0.f, -1.f, 0.f, 1.2f},
+            {0.f, 0.f, -1.f, 4.f},
+            {0.8f, 0.f, -0.6f, 2.6f},
+            {-0.7071f, 0.f, -0.7071f, 3.3f}};
+  }
+
+  /** Two walls, whose angle is not a right one by \a skew, in degrees. */
+  static Planes
+  twoWalls (float skew)
+  {
+    const float angle =
+        std::atan2 (0.8f, -0.6f) - skew * static_cast<float> (M_PI) / 180.f;
+    return {{0.f, -1.f, 0.f, 1.2f},
+            {0.8f, 0.f, -0.6f, 2.8f},
+            {std::cos (angle), 0.f, -std::sin (angle), 3.4f}};
+  }
+
+  Planes planes;
   Cloud::Ptr cloud = pcl::make_shared<Cloud>();
   Cloud truth;
   Inliers inliers;
@@ -95,6 +116,13 @@ waves (double u, double v)
 {
   return 0.002 *
          (std::sin (0.0209 * u + 0.3) + std::sin (0.0146 * (0.6 * u + 0.8 * v)));
+}
+
+/** Tilts planes by a degree. */
+double
+linearWarp (double u, double v)
+{
+  return 6e-6 * (u - 320.) - 8e-6 * (v - 240.);
 }
 
 Cloud
@@ -137,6 +165,60 @@ TEST (DepthWarpCorrection, WithoutWarpPointsStay)
 {
   const Corner corner (320, noWarp);
   EXPECT_LT (corner.depthError (correct (corner)), 1e-4);
+}
+
+TEST (DepthWarpCorrection, RightAnglesTellWhatTiltsAllPlanesAlike)
+{
+  for (const std::uint32_t width : {640u, 160u}) {
+    const Corner corner (width, linearWarp, Corner::twoWalls (0.f));
+    const double before = corner.depthError (*corner.cloud);
+    EXPECT_GT (before, 0.01);
+    const auto errorAfter = [&] (Correction& correction) {
+      for (int frame = 0; frame < 30; ++frame)
+        EXPECT_TRUE (
+            correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+      return corner.depthError (correctWith (correction, corner.cloud));
+    };
+    Correction with, without;
+    EXPECT_TRUE (with.getRightAngles());
+    without.setRightAngles (false);
+    EXPECT_FALSE (without.getRightAngles());
+    EXPECT_LT (errorAfter (with), before / 2.) << width;
+    EXPECT_GT (errorAfter (without), 0.75 * before) << width;
+  }
+}
+
+TEST (DepthWarpCorrection, OtherAnglesStay)
+{
+  for (const float skew : {5.f, -5.f, 20.f}) {
+    const Corner corner (320, noWarp, Corner::twoWalls (skew));
+    EXPECT_LT (corner.depthError (correct (corner)), 1e-4) << skew;
+  }
+}
+
+TEST (DepthWarpCorrection, SmallPlanesHardlyTellAngles)
+{
+  // A panel of 6 x 6 cells on a wall of a corner is nearly at right angles to the others.
+  Corner corner (320, noWarp, Corner::twoWalls (0.f));
+  const Eigen::Vector4f skew = Corner::twoWalls (3.f)[2];
+  auto& wall = corner.inliers[2].indices;
+  const auto isOnPanel = [] (int i) {
+    return i % 320 >= 240 && i % 320 < 264 && i / 320 >= 40 && i / 320 < 64;
+  };
+  corner.planes.push_back (skew);
+  corner.inliers.emplace_back();
+  std::copy_if (wall.begin(),
+                wall.end(),
+                std::back_inserter (corner.inliers.back().indices),
+                isOnPanel);
+  ASSERT_EQ (corner.inliers.back().indices.size(), 576u);
+  wall.erase (std::remove_if (wall.begin(), wall.end(), isOnPanel), wall.end());
+  for (const int i : corner.inliers.back().indices) {
+    auto p = (*corner.cloud)[static_cast<std::size_t> (i)].getVector3fMap();
+    p *= -skew[3] / skew.head<3>().dot (p);
+    corner.truth[static_cast<std::size_t> (i)].getVector3fMap() = p;
+  }
+  EXPECT_LT (corner.depthError (correct (corner)), 1e-3);
 }
 
 TEST (DepthWarpCorrection, PlanesNeedNotBeGood)

@@ -24,8 +24,8 @@ namespace rgbd_planes {
  * plus the warp of the camera at the pixel, which does not depend on the plane: a sum of
  * cosines with waves of down to a third of the width of the image, each as likely as the
  * others. All planes of all frames and the warp are found together by least squares. What
- * bends planes tells the warp; a part that is linear in the image tilts all of them alike,
- * and they do not tell it.
+ * bends planes tells the warp. A part that is linear in the image tilts all of them alike, which
+ * only angles between them tell: walls, floors and tables of buildings meet at right angles.
  */
 class PCL_RGBD_PLANES_EXPORTS DepthWarp {
 public:
@@ -38,12 +38,15 @@ public:
    * \param[in] plane_of for each point; no plane: a number beyond. Planes with few
    * points tell nothing.
    * \param[in] noise weighs the points; the warp is taken to be about twice its quadratic part
+   * \param[in] right_angles planes within 4 degrees of a right angle are taken to be at one, to
+   * half a degree
    */
   void
   add (const OrganizedPoints& points,
        const std::vector<std::uint32_t>& plane_of,
        const PlaneVectors& planes,
-       const DepthNoise& noise);
+       const DepthNoise& noise,
+       bool right_angles);
 
   std::size_t
   frames () const
@@ -93,6 +96,14 @@ private:
     Eigen::Matrix<double, 3, Eigen::Dynamic> waves;
   };
 
+  /** \brief The normal of a plane that fits its points without warp. */
+  struct Normal {
+    Eigen::Vector3d unit;
+    Eigen::Matrix3d covariance;
+    /** With the amplitudes of the waves of the warp. */
+    Eigen::Matrix<double, 3, Eigen::Dynamic> change;
+  };
+
   void
   resize (int width, int height);
 
@@ -115,7 +126,10 @@ private:
   addProductsOfWaves ();
 
   void
-  eliminatePlanes ();
+  eliminatePlanes (const PlaneVectors& planes);
+
+  void
+  addRightAngles ();
 
   void
   solve (const DepthNoise& noise);
@@ -127,7 +141,8 @@ private:
   Eigen::MatrixXf pixel_row_cosines_, pixel_column_cosines_;
   std::vector<Cell> cells_;
   std::vector<PlaneSums> planes_;
-  Eigen::MatrixXd weights_; // of the cells of a frame
+  std::vector<Normal> normals_; // of the planes of a frame that tell something
+  Eigen::MatrixXd weights_;     // of the cells of a frame
   /** The normal equations of the waves, over all frames. */
   Eigen::MatrixXd squares_;
   Eigen::VectorXd right_;

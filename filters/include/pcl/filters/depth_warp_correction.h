@@ -31,7 +31,8 @@ namespace pcl {
  * Points move along their viewing ray and keep their pixel. What is left of the error is
  * noise, which DepthNoise::kinectV1Corrected() describes for a segmentation of the output.
  * It is only as good as the planes: whatever makes one of two surfaces is taken for warp.
- * An error of inverse depth that is linear in the image tilts all planes alike, and stays.
+ * An error of inverse depth that is linear in the image tilts all planes alike: right angles tell
+ * it, where planes meet at any.
  *
  * The output has all points of the input, its organization and its header; all fields but
  * coordinates stay. With indices, only these points move. Output and input may be the same
@@ -96,6 +97,21 @@ public:
     return noise_;
   }
 
+  /** \brief Whether planes within 4 degrees of a right angle are taken to be at one, as in
+   * buildings; default true. False where such planes may truly be some degrees off, or to
+   * measure right angles. Counts from the next frame on. */
+  void
+  setRightAngles (bool right_angles)
+  {
+    right_angles_ = right_angles;
+  }
+
+  bool
+  getRightAngles () const
+  {
+    return right_angles_;
+  }
+
 protected:
   void
   applyFilter (PointCloud& output) override;
@@ -107,6 +123,7 @@ private:
 
   rgbd_planes::DepthWarp warp_;
   rgbd_planes::DepthNoise noise_;
+  bool right_angles_ = true;
   std::vector<std::uint32_t> plane_of_; // for each point; no plane: a number beyond
 };
 

@@ -39,7 +39,8 @@ DepthWarpCorrection<PointT>::addFrame (
   warp_.add (rgbd_planes::viewPoints (*cloud),
              plane_of_,
              rgbd_planes::planeVectors (model_coefficients),
-             noise_);
+             noise_,
+             right_angles_);
   return true;
 }
 
