@@ -33,6 +33,8 @@ constexpr double right_angle_deviation = 0.5 * M_PI / 180.;
 constexpr double max_right_angle_error = 4. * M_PI / 180.;
 /** Waves shorter than those of the warp make the errors of so many cells alike. */
 constexpr double cells_alike = 30.;
+/** Planes with fewer tell no angles: their edges tilt them. */
+constexpr std::size_t min_cells_for_angles = 150;
 
 double
 warpDeviation (const DepthNoise& noise)
@@ -54,19 +56,22 @@ cosines (int max_i, int number, int size, int pixels, double margin_px)
   return result;
 }
 
-/** m of m * p = 1. */
-Eigen::Vector3d
-inverseDistance (const Eigen::Vector4f& plane)
-{
-  return -plane.head<3>().cast<double>() / plane[3];
-}
-
 } // namespace
 
 void
 DepthWarp::clear()
 {
   frames_ = 0;
+  known_ = false;
+}
+
+void
+DepthWarp::setImage (const Eigen::MatrixXf& image)
+{
+  resize (static_cast<int> (image.rows()), static_cast<int> (image.cols()));
+  image_ = image;
+  frames_ = 0;
+  known_ = true;
 }
 
 void
@@ -126,60 +131,6 @@ DepthWarp::resize (int width, int height)
     }
   for (Wave& wave : waves_)
     wave.variance /= sum;
-}
-
-void
-DepthWarp::collectCells (const OrganizedPoints& points,
-                         const std::vector<std::uint32_t>& plane_of,
-                         const PlaneVectors& planes,
-                         const DepthNoise& noise)
-{
-  planes_.resize (planes.size());
-  for (PlaneSums& sums : planes_)
-    sums.cells = 0;
-  cells_.clear();
-  Cell cell;
-  for (cell.row = 0; cell.row < column_cosines_.cols(); ++cell.row)
-    for (cell.column = 0; cell.column < row_cosines_.cols(); ++cell.column)
-      if (findMean (points, plane_of, noise, cell) && cell.plane < planes.size() &&
-          inverseDistance (planes[cell.plane]).allFinite()) {
-        cells_.push_back (cell);
-        ++planes_[cell.plane].cells;
-      }
-}
-
-/** False for a cell with few points or of several planes. */
-bool
-DepthWarp::findMean (const OrganizedPoints& points,
-                     const std::vector<std::uint32_t>& plane_of,
-                     const DepthNoise& noise,
-                     Cell& cell) const
-{
-  int count = 0;
-  float x = 0.f, y = 0.f, inverse_depth = 0.f;
-  const float max_squared_range = noise.max_range * noise.max_range;
-  for (int v = cell.row * cell_size_; v < (cell.row + 1) * cell_size_; ++v)
-    for (int u = cell.column * cell_size_; u < (cell.column + 1) * cell_size_; ++u) {
-      const std::size_t i =
-          static_cast<std::size_t> (v) * static_cast<std::size_t> (width_) +
-          static_cast<std::size_t> (u);
-      const Eigen::Map<const Eigen::Vector3f> p (points[i]);
-      if (!isMeasured (points[i]) || p.z() <= 0.f ||
-          p.squaredNorm() > max_squared_range)
-        continue;
-      if (count == 0)
-        cell.plane = plane_of[i];
-      if (plane_of[i] != cell.plane)
-        return false;
-      const float inverse = 1.f / p.z();
-      x += inverse * p.x();
-      y += inverse * p.y();
-      inverse_depth += inverse;
-      ++count;
-    }
-  cell.ray = Eigen::Vector3d (x, y, count) / count;
-  cell.inverse_depth = static_cast<double> (inverse_depth) / count;
-  return 2 * count >= cell_size_ * cell_size_ && std::isfinite (inverse_depth);
 }
 
 void
@@ -244,6 +195,8 @@ DepthWarp::eliminatePlanes (const PlaneVectors& planes)
     const Eigen::Matrix<double, 3, Eigen::Dynamic> weighed = covariance * sums.waves;
     squares_.triangularView<Eigen::Lower>() -= sums.waves.transpose() * weighed;
     right_.noalias() -= weighed.transpose() * sums.right;
+    if (sums.cells < min_cells_for_angles)
+      continue;
     const Eigen::Vector3d best = inverseDistance (planes[k]) + covariance * sums.right;
     const double norm = best.norm();
     normals_.push_back ({best / norm, covariance / (norm * norm), weighed / -norm});
@@ -288,6 +241,7 @@ DepthWarp::solve (const DepthNoise& noise)
     spectrum (waves_[k].along_row, waves_[k].along_column) =
         static_cast<float> (amplitudes[k]);
   image_.noalias() = pixel_row_cosines_.transpose() * spectrum * pixel_column_cosines_;
+  known_ = true;
 }
 
 } // namespace rgbd_planes

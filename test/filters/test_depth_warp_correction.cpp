@@ -196,29 +196,37 @@ TEST (DepthWarpCorrection, OtherAnglesStay)
   }
 }
 
-TEST (DepthWarpCorrection, SmallPlanesHardlyTellAngles)
+/** A corner without warp and the error that a panel on a wall makes, nearly at right angles to
+ * floor and other wall; it has \a size x \a size cells. */
+double
+errorOfPanel (int size)
 {
-  // A panel of 6 x 6 cells on a wall of a corner is nearly at right angles to the others.
   Corner corner (320, noWarp, Corner::twoWalls (0.f));
   const Eigen::Vector4f skew = Corner::twoWalls (3.f)[2];
   auto& wall = corner.inliers[2].indices;
-  const auto isOnPanel = [] (int i) {
-    return i % 320 >= 240 && i % 320 < 264 && i / 320 >= 40 && i / 320 < 64;
+  const auto isOnPanel = [&] (int i) {
+    return i % 320 >= 240 && i % 320 < 240 + 4 * size && i / 320 >= 40 &&
+           i / 320 < 40 + 4 * size;
   };
   corner.planes.push_back (skew);
   corner.inliers.emplace_back();
-  std::copy_if (wall.begin(),
-                wall.end(),
-                std::back_inserter (corner.inliers.back().indices),
-                isOnPanel);
-  ASSERT_EQ (corner.inliers.back().indices.size(), 576u);
+  auto& panel = corner.inliers.back().indices;
+  std::copy_if (wall.begin(), wall.end(), std::back_inserter (panel), isOnPanel);
+  EXPECT_EQ (static_cast<int> (panel.size()), 16 * size * size);
   wall.erase (std::remove_if (wall.begin(), wall.end(), isOnPanel), wall.end());
-  for (const int i : corner.inliers.back().indices) {
+  for (const int i : panel) {
     auto p = (*corner.cloud)[static_cast<std::size_t> (i)].getVector3fMap();
     p *= -skew[3] / skew.head<3>().dot (p);
     corner.truth[static_cast<std::size_t> (i)].getVector3fMap() = p;
   }
-  EXPECT_LT (corner.depthError (correct (corner)), 1e-3);
+  return corner.depthError (correct (corner));
+}
+
+TEST (DepthWarpCorrection, SmallPlanesHardlyTellAngles)
+{
+  EXPECT_LT (errorOfPanel (12), 1e-4);
+  EXPECT_LT (errorOfPanel (13), 2e-3);
+  EXPECT_GT (errorOfPanel (13), 1e-4);
 }
 
 TEST (DepthWarpCorrection, PlanesNeedNotBeGood)
@@ -464,4 +472,53 @@ TEST (DepthWarpCorrection, FramesWithoutPlanesTellNothing)
   Correction correction;
   EXPECT_TRUE (correction.addFrame (corner.cloud, {}, {}));
   expectSameBytes (correctWith (correction, corner.cloud), *corner.cloud);
+}
+
+TEST (DepthWarpCorrection, TheWarpMovesToAnotherObject)
+{
+  const Corner corner (160, waves), other (320, waves);
+  Correction learned, given;
+  EXPECT_TRUE (learned.getWarp().empty());
+  ASSERT_TRUE (learned.addFrame (corner.cloud, corner.models(), corner.inliers));
+  const auto warp = learned.getWarp();
+  ASSERT_EQ (warp.width, 160u);
+  ASSERT_EQ (warp.height, 120u);
+  ASSERT_TRUE (given.setWarp (warp));
+  EXPECT_EQ (given.getNumberOfFrames(), 0u);
+  const Cloud corrected = correct (corner);
+  expectSameBytes (correctWith (given, corner.cloud), corrected);
+  EXPECT_TRUE (correctWith (given, other.cloud).empty()) << "another size";
+
+  // Frames take its place.
+  const Corner straight (160, noWarp);
+  ASSERT_TRUE (given.addFrame (corner.cloud, corner.models(), corner.inliers));
+  expectSameBytes (correctWith (given, corner.cloud), corrected);
+  ASSERT_TRUE (given.addFrame (straight.cloud, straight.models(), straight.inliers));
+  EXPECT_EQ (given.getNumberOfFrames(), 2u);
+  ASSERT_TRUE (given.setWarp (warp));
+  expectSameBytes (correctWith (given, corner.cloud), corrected);
+  given.clearFrames();
+  EXPECT_TRUE (given.getWarp().empty());
+  EXPECT_TRUE (correctWith (given, corner.cloud).empty());
+}
+
+TEST (DepthWarpCorrection, WhatIsNoWarpIsRefused)
+{
+  Correction correction;
+  pcl::PointCloud<pcl::Intensity> warp;
+  EXPECT_FALSE (correction.setWarp (warp));
+  warp.resize (19200);
+  EXPECT_FALSE (correction.setWarp (warp)) << "a row";
+  warp.width = 160;
+  warp.height = 120;
+  warp[77].intensity = not_a_number;
+  EXPECT_FALSE (correction.setWarp (warp));
+  EXPECT_TRUE (correction.getWarp().empty());
+  warp[77].intensity = 0.1f;
+  EXPECT_TRUE (correction.setWarp (warp));
+  const Corner corner (160, noWarp);
+  const Cloud output = correctWith (correction, corner.cloud);
+  const float z = (*corner.cloud)[77].z;
+  EXPECT_NEAR (1.f / output[77].z, 1.f / z - 0.1f, 1e-5f);
+  EXPECT_EQ (output[78].z, (*corner.cloud)[78].z);
 }

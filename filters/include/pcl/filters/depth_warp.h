@@ -29,7 +29,7 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS DepthWarp {
 public:
-  /** \brief Forgets all frames. */
+  /** \brief Forgets all frames and the warp. */
   void
   clear ();
 
@@ -38,8 +38,8 @@ public:
    * \param[in] plane_of for each point; no plane: a number beyond. Planes with few
    * points tell nothing.
    * \param[in] noise weighs the points; the warp is taken to be about twice its quadratic part
-   * \param[in] right_angles planes within 4 degrees of a right angle are taken to be at one, to
-   * half a degree
+   * \param[in] right_angles large planes within 4 degrees of a right angle are taken to be at one,
+   * to half a degree
    */
   void
   add (const OrganizedPoints& points,
@@ -53,6 +53,17 @@ public:
   {
     return frames_;
   }
+
+  /** \brief Whether frames told the warp, or setImage(). */
+  bool
+  isKnown () const
+  {
+    return known_;
+  }
+
+  /** \brief Takes the place of all frames, see image(). */
+  void
+  setImage (const Eigen::MatrixXf& image);
 
   int
   width () const
@@ -135,13 +146,14 @@ private:
   solve (const DepthNoise& noise);
 
   std::size_t frames_ = 0;
+  bool known_ = false;
   int width_ = 0, height_ = 0, cell_size_ = 1;
   std::vector<Wave> waves_;
   Eigen::MatrixXd row_cosines_, column_cosines_; // half periods x cells
   Eigen::MatrixXf pixel_row_cosines_, pixel_column_cosines_;
   std::vector<Cell> cells_;
   std::vector<PlaneSums> planes_;
-  std::vector<Normal> normals_; // of the planes of a frame that tell something
+  std::vector<Normal> normals_; // of the large planes of a frame
   Eigen::MatrixXd weights_;     // of the cells of a frame
   /** The normal equations of the waves, over all frames. */
   Eigen::MatrixXd squares_;

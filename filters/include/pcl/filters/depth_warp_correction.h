@@ -7,6 +7,8 @@
 #include <pcl/filters/depth_warp.h>
 #include <pcl/filters/filter.h>
 #include <pcl/ModelCoefficients.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 
 #include <cstddef>
@@ -37,9 +39,15 @@ namespace pcl {
  * The output has all points of the input, its organization and its header; all fields but
  * coordinates stay. With indices, only these points move. Output and input may be the same
  * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)), behind the camera, or so far
- * away that the error is as large as half of the range stay. Without frames, with an
+ * away that the error is as large as half of the range stay. Without frames or a warp, with an
  * input that is no image of their size, or an index outside of it: an error message and an
  * empty output.
+ *
+ * The warp stays with the camera. getWarp() is an image that PCL can keep in a file:
+ *
+ * \code
+ * pcl::io::savePCDFileBinaryCompressed ("warp.pcd", correction.getWarp());
+ * \endcode
  *
  * \ingroup filters
  */
@@ -70,7 +78,17 @@ public:
             const std::vector<ModelCoefficients>& model_coefficients,
             const std::vector<PointIndices>& inlier_indices);
 
-  /** \brief Forgets all frames: for another camera. */
+  /** \brief What the camera adds to the inverse depth 1/z of each pixel, in 1/m: an image of the
+   * size of the frames; empty while there are none. */
+  pcl::PointCloud<pcl::Intensity>
+  getWarp () const;
+
+  /** \brief Sets what getWarp() gave: it takes the place of all frames, and those that are added
+   * later take its place. False after an error message where it is no image, or not finite. */
+  bool
+  setWarp (const pcl::PointCloud<pcl::Intensity>& warp);
+
+  /** \brief Forgets all frames and the warp: for another camera. */
   void
   clearFrames ()
   {
@@ -97,8 +115,8 @@ public:
     return noise_;
   }
 
-  /** \brief Whether planes within 4 degrees of a right angle are taken to be at one, as in
-   * buildings; default true. False where such planes may truly be some degrees off, or to
+  /** \brief Whether planes of 3 % of the image and more that are within 4 degrees of a right
+   * angle are taken to be at one, as in buildings; default true. False where such planes may truly be some degrees off, or to
    * measure right angles. Counts from the next frame on. */
   void
   setRightAngles (bool right_angles)

@@ -36,6 +36,13 @@ planeVectors (const std::vector<ModelCoefficients>& models)
   return planes;
 }
 
+/** \brief m of m * p = 1 for the points p of a plane. */
+inline Eigen::Vector3d
+inverseDistance (const Eigen::Vector4f& plane)
+{
+  return -plane.head<3>().cast<double>() / plane[3];
+}
+
 /** \brief For each of \a size points the last plane that it is an inlier of, or a number
  * beyond. */
 inline void

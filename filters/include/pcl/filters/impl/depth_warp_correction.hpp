@@ -9,6 +9,8 @@
 #include <pcl/filters/depth_warp_correction.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace pcl {
@@ -45,15 +47,51 @@ DepthWarpCorrection<PointT>::addFrame (
 }
 
 template <typename PointT>
+pcl::PointCloud<pcl::Intensity>
+DepthWarpCorrection<PointT>::getWarp() const
+{
+  pcl::PointCloud<pcl::Intensity> warp;
+  if (!warp_.isKnown())
+    return warp;
+  warp.resize (static_cast<std::uint32_t> (warp_.width()),
+               static_cast<std::uint32_t> (warp_.height()));
+  for (std::size_t i = 0; i < warp.size(); ++i)
+    warp[i].intensity = warp_.image().data()[i];
+  return warp;
+}
+
+template <typename PointT>
+bool
+DepthWarpCorrection<PointT>::setWarp (const pcl::PointCloud<pcl::Intensity>& warp)
+{
+  std::string fault;
+  if (!rgbd_planes::isImage (warp))
+    fault = rgbd_planes::notAnImage (warp);
+  else if (!std::all_of (warp.begin(), warp.end(), [] (const pcl::Intensity& point) {
+             return std::isfinite (point.intensity);
+           }))
+    fault = "The warp has values that are not finite: set what getWarp gave.";
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s::setWarp] %s\n", getClassName().c_str(), fault.c_str());
+    return false;
+  }
+  Eigen::MatrixXf image (warp.width, warp.height);
+  for (std::size_t i = 0; i < warp.size(); ++i)
+    image.data()[i] = warp[i].intensity;
+  warp_.setImage (image);
+  return true;
+}
+
+template <typename PointT>
 std::string
 DepthWarpCorrection<PointT>::faultOf (const PointCloud& cloud) const
 {
   if (!rgbd_planes::isImage (cloud))
     return rgbd_planes::notAnImage (cloud);
-  if (warp_.frames() > 0 && (static_cast<int> (cloud.width) != warp_.width() ||
-                             static_cast<int> (cloud.height) != warp_.height()))
+  if (warp_.isKnown() && (static_cast<int> (cloud.width) != warp_.width() ||
+                          static_cast<int> (cloud.height) != warp_.height()))
     return "The cloud is " + std::to_string (cloud.width) + " x " +
-           std::to_string (cloud.height) + ", the frames before were " +
+           std::to_string (cloud.height) + ", the warp is of " +
            std::to_string (warp_.width()) + " x " + std::to_string (warp_.height()) +
            ": call clearFrames for another camera or resolution.";
   return {};
@@ -64,8 +102,9 @@ void
 DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
 {
   std::string fault = faultOf (*input_);
-  if (fault.empty() && warp_.frames() == 0)
-    fault = "There are no frames yet: pass their planes to addFrame.";
+  if (fault.empty() && !warp_.isKnown())
+    fault =
+        "There are no frames yet: pass their planes to addFrame, or a warp to setWarp.";
   if (fault.empty() && !rgbd_planes::indicesInside (*indices_, input_->size()))
     fault = "An index is outside of the input cloud of " +
             std::to_string (input_->size()) + " points.";
