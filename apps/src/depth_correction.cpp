@@ -3,9 +3,15 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/depth_correction.h>
+#include <pcl/apps/organized_pcd.h>
+#include <pcl/common/io.h>
+#include <pcl/simulation/subsample.h>
 
 #include <boost/program_options/value_semantic.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <string>
 
 namespace po = boost::program_options;
@@ -18,35 +24,53 @@ addCorrectedOption (po::options_description& options)
 {
   options.add_options() (
       "corrected",
-      po::value<std::string>()->value_name ("frame|camera"),
+      po::value<std::string>()->value_name ("frame|camera|FILE"),
       "points corrected by DepthWarpCorrection: the planes of the frame itself tell "
       "the error of depth, or those of all frames, which are of one camera then; they "
-      "are found on points as measured, and once more on points that these corrected");
+      "are found on points as measured, and once more on points that these corrected. "
+      "Or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote for this camera");
 }
 
-std::optional<WarpSource>
+std::optional<CorrectedOption>
 readCorrected (const po::variables_map& values)
 {
   if (!values.count ("corrected"))
     return std::nullopt;
   const auto& source = values["corrected"].as<std::string>();
   if (source == "frame")
-    return WarpSource::frame;
+    return CorrectedOption{WarpSource::frame, {}, {}};
   if (source == "camera")
-    return WarpSource::camera;
-  throw AppError ("--corrected: '" + source + "' must be frame or camera");
+    return CorrectedOption{WarpSource::camera, {}, {}};
+  if (std::filesystem::path (source).extension() != ".pcd")
+    throw AppError ("--corrected: '" + source +
+                    "' must be frame, camera or a .pcd file");
+  CorrectedOption option{WarpSource::file, source, readIntensityPcd (source)};
+  const auto isFinite = [] (const auto& point) {
+    return std::isfinite (point.intensity);
+  };
+  if (!std::all_of (option.warp.begin(), option.warp.end(), isFinite))
+    throw AppError (source +
+                    ": this is no warp of depth, which is finite; give a warp.pcd");
+  return option;
 }
 
-DepthCorrection::DepthCorrection (WarpSource source) : source_ (source)
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+coordinates (const Frame& frame)
 {
-  fine_.setDepthNoise (DepthNoise::kinectV1Corrected());
-  fine_.setDistanceThreshold (0.007);
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  pcl::copyPointCloud (*frame.cloud, *cloud);
+  return cloud;
+}
+
+DepthCorrection::DepthCorrection (const CorrectedOption& option) : option_ (option)
+{
+  expectCorrectedPoints (fine_);
 }
 
 std::vector<DepthCorrection::Calibration>
 DepthCorrection::calibration()
 {
-  if (source_ == WarpSource::frame)
+  if (option_.source != WarpSource::camera)
     return {};
   return {[this] (const Cloud::ConstPtr& cloud, unsigned min_inliers) {
             calibrateRoughly (cloud, min_inliers);
@@ -79,7 +103,9 @@ DepthCorrection::calibrateFinely (const Cloud::ConstPtr& cloud, unsigned min_inl
 const DepthCorrection::Cloud::Ptr&
 DepthCorrection::correct (const Cloud::ConstPtr& cloud, unsigned min_inliers)
 {
-  if (source_ == WarpSource::frame) {
+  if (option_.source == WarpSource::file)
+    fitWarpTo (*cloud);
+  if (option_.source == WarpSource::frame) {
     rough_correction_.clearFrames();
     correction_.clearFrames();
     calibrateRoughly (cloud, min_inliers);
@@ -87,6 +113,34 @@ DepthCorrection::correct (const Cloud::ConstPtr& cloud, unsigned min_inliers)
   }
   apply (correction_, cloud);
   return corrected_;
+}
+
+Frame
+DepthCorrection::correct (const Frame& measured, unsigned min_inliers)
+{
+  Frame frame = measured;
+  frame.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (*measured.cloud);
+  const Cloud& points = *correct (coordinates (measured), min_inliers);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    (*frame.cloud)[i].getVector3fMap() = points[i].getVector3fMap();
+  return frame;
+}
+
+void
+DepthCorrection::fitWarpTo (const Cloud& cloud)
+{
+  if (corrected_->width == cloud.width && corrected_->height == cloud.height)
+    return;
+  const auto size = [] (const auto& image) {
+    return std::to_string (image.width) + " x " + std::to_string (image.height);
+  };
+  const auto warp =
+      subsample (option_.warp, std::max (option_.warp.width / cloud.width, 1u));
+  if (warp.width != cloud.width || warp.height != cloud.height)
+    throw AppError (option_.file + ": the warp is " + size (option_.warp) +
+                    ", but a frame is " + size (cloud) +
+                    "; give the warp of the camera that took the frames");
+  correction_.setWarp (warp);
 }
 
 void

@@ -18,26 +18,6 @@ namespace po = boost::program_options;
 namespace pcl {
 namespace rgbd_planes {
 
-namespace {
-
-void
-forEachFrame (const std::vector<FrameSource>& sources,
-              const std::function<void (const Frame&)>& body)
-{
-  std::size_t all = 0, frame = 0;
-  for (const auto& source : sources)
-    all += source.size();
-  const Progress progress (all);
-  for (const auto& source : sources)
-    for (std::size_t i = 0; i < source.size(); ++i) {
-      progress.show (++frame);
-      body (source.read (i));
-      stopIfInterrupted();
-    }
-}
-
-} // namespace
-
 std::optional<EvaluationCommand>
 readEvaluationCommand (int argc,
                        char** argv,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/depth_correction.h>
 #include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/object_methods.h>
@@ -27,14 +28,6 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
-/** 1000 for 640 x 480 pixels, in proportion for others. */
-unsigned
-minInliers (std::size_t pixels)
-{
-  constexpr std::size_t vga = 640 * 480, fewest = 3;
-  return static_cast<unsigned> (std::max ((1000 * pixels + vga / 2) / vga, fewest));
-}
-
 PlaneSummary
 summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
            const pcl::ModelCoefficients& model,
@@ -55,6 +48,14 @@ summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
 }
 
 } // namespace
+
+unsigned
+minInliers (const SegmenterOptions& options, std::size_t pixels)
+{
+  constexpr std::size_t vga = 640 * 480, fewest = 3;
+  const auto in_proportion = std::max ((1000 * pixels + vga / 2) / vga, fewest);
+  return options.min_inliers.value_or (static_cast<unsigned> (in_proportion));
+}
 
 std::string
 planeClass (const std::array<double, 4>& coefficients,
@@ -80,6 +81,8 @@ FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 , labels_ (new pcl::PointCloud<pcl::Label>)
 {
   estimation_.setViewPoint (0.f, 0.f, 0.f);
+  if (options.corrected_points)
+    expectCorrectedPoints (segmentation_);
 }
 
 FrameSummary
@@ -96,7 +99,7 @@ FrameSegmenter::segment (const Frame& frame)
   summary.height = cloud.height;
   summary.measured_points = static_cast<std::size_t> (std::count_if (
       cloud.begin(), cloud.end(), [] (const auto& p) { return std::isfinite (p.z); }));
-  summary.min_inliers = options_.min_inliers.value_or (minInliers (cloud.size()));
+  summary.min_inliers = minInliers (options_, cloud.size());
 
   const Stopwatch total;
   estimation_.setInputCloud (frame.cloud);

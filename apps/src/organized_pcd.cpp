@@ -17,6 +17,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -177,13 +178,15 @@ isComplete (const std::string& bytes, const Header& header)
 }
 
 void
-checkHeader (const pcl::PCLPointCloud2& cloud, const std::string& file)
+checkHeader (const pcl::PCLPointCloud2& cloud,
+             const std::vector<std::string>& floats,
+             const std::string& file)
 {
-  for (const std::string name : {"x", "y", "z"}) {
+  for (const auto& name : floats) {
     const auto* field = findField (cloud, name);
     if (!field || field->datatype != pcl::PCLPointField::FLOAT32)
       throw AppError (file + ": the cloud has no 32-bit field '" + name +
-                      "'; write it with x y z as floats");
+                      "'; write it as a float");
   }
   if (cloud.height < 2 || cloud.width < 2)
     throw AppError (file + ": the cloud is unorganized (" +
@@ -215,11 +218,11 @@ readBody (const std::string& bytes, Header& header)
 }
 
 Header
-readFile (const std::string& file)
+readFile (const std::string& file, const std::vector<std::string>& floats)
 {
   const std::string bytes = readBytes (file);
   Header header = readHeader (bytes, file);
-  checkHeader (header.cloud, file);
+  checkHeader (header.cloud, floats, file);
   if (!isComplete (bytes, header) || !readBody (bytes, header))
     throw damaged (file);
   return header;
@@ -231,7 +234,7 @@ pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readOrganizedPcd (const std::string& file, PointLabels* labels)
 {
   const QuietPcl quiet;
-  const Header header = readFile (file);
+  const Header header = readFile (file, {"x", "y", "z"});
   const pcl::PCLPointCloud2& blob = header.cloud;
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
   cloud->sensor_origin_ = header.origin;
@@ -255,6 +258,21 @@ readOrganizedPcd (const std::string& file, PointLabels* labels)
   }
   if (labels)
     *labels = readPointLabels (blob);
+  return cloud;
+}
+
+pcl::PointCloud<pcl::Intensity>
+readIntensityPcd (const std::string& file)
+{
+  const QuietPcl quiet;
+  const Header header = readFile (file, {"intensity"});
+  pcl::PointCloud<pcl::Intensity> cloud (header.cloud.width, header.cloud.height);
+  const std::uint8_t* data =
+      header.cloud.data.data() + findField (header.cloud, "intensity")->offset;
+  for (auto& point : cloud) {
+    std::memcpy (&point.intensity, data, sizeof (point.intensity));
+    data += header.cloud.point_step;
+  }
   return cloud;
 }
 

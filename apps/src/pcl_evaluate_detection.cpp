@@ -8,7 +8,6 @@
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/object_comparison.h>
 #include <pcl/apps/plane_truth.h>
-#include <pcl/common/io.h>
 
 #include <boost/program_options/options_description.hpp>
 #include <nlohmann/json.hpp>
@@ -43,16 +42,7 @@ normals, planes, objects, obstacles; to correct points is not one of them.
   pcl_evaluate_detection folder_of_pcds --resolution qvga
 )";
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using FrameCallbacks = std::vector<std::function<void (const Frame&)>>;
-
-Cloud::Ptr
-coordinates (const Frame& frame)
-{
-  auto cloud = pcl::make_shared<Cloud>();
-  pcl::copyPointCloud (*frame.cloud, *cloud);
-  return cloud;
-}
 
 unsigned
 minInliers (const Frame& frame)
@@ -71,18 +61,6 @@ calibration (DepthCorrection& correction)
   return steps;
 }
 
-Frame
-corrected (const Frame& measured, DepthCorrection& correction)
-{
-  Frame frame = measured;
-  frame.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (*measured.cloud);
-  const Cloud& points =
-      *correction.correct (coordinates (measured), minInliers (measured));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    (*frame.cloud)[i].getVector3fMap() = points[i].getVector3fMap();
-  return frame;
-}
-
 void
 evaluateDetection (int argc, char** argv)
 {
@@ -99,8 +77,8 @@ evaluateDetection (int argc, char** argv)
   if (command->values.count ("object-methods"))
     objects.emplace (command->steps);
   std::optional<DepthCorrection> correction;
-  if (const auto source = readCorrected (command->values))
-    correction.emplace (*source);
+  if (const auto option = readCorrected (command->values))
+    correction.emplace (*option);
   const auto add = [&] (const Frame& frame) {
     comparison.add (frame);
     if (objects)
@@ -110,7 +88,7 @@ evaluateDetection (int argc, char** argv)
       *command,
       [&] (const Frame& measured) {
         if (correction)
-          add (corrected (measured, *correction));
+          add (correction->correct (measured, minInliers (measured)));
         else
           add (measured);
       },

@@ -3,6 +3,8 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
+#include <pcl/apps/depth_correction.h>
+#include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/input_options.h>
@@ -31,6 +33,7 @@ struct Options {
   SegmenterOptions segmenter;
   std::optional<fs::path> output;
   std::optional<fs::path> json;
+  std::optional<CorrectedOption> corrected;
 };
 
 const char usage[] =
@@ -44,6 +47,8 @@ after an error there are none.
   pcl_segment_planes my.pcd --output result
   pcl_segment_planes depth.png --intrinsics 525,525,319.5,239.5 --depth-scale 1000
   pcl_segment_planes sim:table_single:7 --resolution qvga --objects --obstacles
+  pcl_segment_planes recording --corrected camera --output warp
+  pcl_segment_planes my.pcd --corrected warp/warp.pcd --output result
 
 )";
 
@@ -70,10 +75,13 @@ readOptions (int argc, char** argv)
       "and FRAME_labels.pcd (x y z normal label), with --objects FRAME_objects.png, "
       "with "
       "--obstacles FRAME_obstacles.png and FRAME_scan.csv; for all frames planes.csv, "
-      "objects.csv, obstacles.csv and result.json") (
+      "objects.csv, obstacles.csv and result.json; with --corrected camera warp.pcd, "
+      "the "
+      "error of depth for later runs, and warp.png") (
       "json",
       po::value<std::string>()->value_name ("FILE"),
       "write the result as JSON");
+  addCorrectedOption (options);
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
@@ -98,6 +106,8 @@ readOptions (int argc, char** argv)
     result.output = values["output"].as<std::string>();
   if (values.count ("json"))
     result.json = values["json"].as<std::string>();
+  result.corrected = readCorrected (values);
+  result.segmenter.corrected_points = result.corrected.has_value();
   return result;
 }
 
@@ -148,18 +158,35 @@ writeFrame (const Options& options,
 }
 
 std::vector<FrameSummary>
-segmentFrames (const FrameSource& source, const Options& options, OutputFiles& files)
+segmentFrames (const std::vector<FrameSource>& source,
+               const Options& options,
+               OutputFiles& files)
 {
   FrameSegmenter segmenter (options.segmenter);
+  std::optional<DepthCorrection> correction;
+  if (options.corrected)
+    correction.emplace (*options.corrected);
+  const auto min_inliers = [&] (const Frame& frame) {
+    return minInliers (options.segmenter, frame.cloud->size());
+  };
+  if (correction)
+    for (const auto& calibrate : correction->calibration())
+      forEachFrame (source, [&] (const Frame& frame) {
+        calibrate (coordinates (frame), min_inliers (frame));
+      });
   std::vector<FrameSummary> summaries;
-  const Progress progress (source.size());
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    progress.show (i + 1);
-    const Frame frame = source.read (i);
+  forEachFrame (source, [&] (const Frame& measured) {
+    const Frame frame =
+        correction ? correction->correct (measured, min_inliers (measured)) : measured;
     summaries.push_back (segmenter.segment (frame));
     if (options.output)
       writeFrame (options, frame, segmenter, summaries.back(), files);
-    stopIfInterrupted();
+  });
+  if (options.output && options.corrected &&
+      options.corrected->source == WarpSource::camera) {
+    files.write (*options.output / "warp.pcd", encodePcd (correction->warp()));
+    files.write (*options.output / "warp.png",
+                 encodePng (warpPicture (correction->warp())));
   }
   return summaries;
 }
@@ -170,7 +197,8 @@ segmentPlanes (int argc, char** argv)
   const auto options = readOptions (argc, argv);
   if (!options)
     return;
-  const FrameSource source (options->input);
+  std::vector<FrameSource> source;
+  source.emplace_back (options->input);
   catchInterruption();
   OutputFiles files;
   prepareOutput (*options, files);

@@ -111,6 +111,19 @@ depthPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
   return picture;
 }
 
+Picture
+warpPicture (const pcl::PointCloud<pcl::Intensity>& warp)
+{
+  constexpr float full = 0.01f;
+  Picture picture (warp.width, warp.height);
+  for (std::size_t i = 0; i < warp.size(); ++i) {
+    const float share = std::clamp (warp[i].intensity / full, -1.f, 1.f);
+    const auto rest = static_cast<std::uint8_t> (255.f * (1.f - std::fabs (share)));
+    picture[i] = share > 0.f ? pcl::RGB (255, rest, rest) : pcl::RGB (rest, rest, 255);
+  }
+  return picture;
+}
+
 std::string
 encodePng (const Picture& picture)
 {

@@ -41,7 +41,7 @@ measuredCloud (const Frame& frame, std::uint32_t step)
 PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
                                   const std::optional<RightAngles::Pairs>& right_angles,
                                   const std::vector<std::string>& without,
-                                  const std::optional<WarpSource>& corrected)
+                                  const std::optional<CorrectedOption>& corrected)
 : right_angles_ (right_angles)
 {
   for (const auto step : steps)

@@ -96,9 +96,9 @@ normalSpaceMethod (const std::string& name, const Additions& additions)
 
 /** Ours on corrected points. */
 PlaneMethod
-correctedMethod (WarpSource source)
+correctedMethod (const CorrectedOption& option)
 {
-  const auto correction = std::make_shared<DepthCorrection> (source);
+  const auto correction = std::make_shared<DepthCorrection> (option);
   const auto planes = std::make_shared<SegmentedPlanes>();
   return {"corrected",
           [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
@@ -193,7 +193,7 @@ planeAdditionNames ()
 
 std::vector<PlaneMethod>
 planeMethods (const std::vector<std::string>& without,
-              const std::optional<WarpSource>& corrected)
+              const std::optional<CorrectedOption>& corrected)
 {
   std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}),
                                    organizedMultiPlaneMethod()};

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/progress.h>
 
 #include <iostream>
@@ -26,6 +27,22 @@ Progress::show (std::size_t frame) const
 {
   if (shown_)
     std::cerr << "\rframe " << frame << " of " << all_ << std::flush;
+}
+
+void
+forEachFrame (const std::vector<FrameSource>& sources,
+              const std::function<void (const Frame&)>& body)
+{
+  std::size_t all = 0, frame = 0;
+  for (const auto& source : sources)
+    all += source.size();
+  const Progress progress (all);
+  for (const auto& source : sources)
+    for (std::size_t i = 0; i < source.size(); ++i) {
+      progress.show (++frame);
+      body (source.read (i));
+      stopIfInterrupted();
+    }
 }
 
 } // namespace rgbd_planes

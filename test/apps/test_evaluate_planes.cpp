@@ -299,6 +299,7 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("sim:table_single --resolution tiny", "tiny");
   expectRefused ("sim:table_single --right-angles most", "most");
   expectRefused ("sim:table_single --corrected room", "room");
+  expectRefused ("sim:table_single --corrected no.pcd", "no.pcd");
   expectRefused ("sim:table_single --json no/where.json", "no");
   expectRefused ("sim:table_single --without growth,roots", "roots");
   expectRefused ("sim:table_single --without ''", "''");

@@ -209,3 +209,19 @@ TEST (OrganizedPcd, WrongSizesOfCompressedDataAreRefused)
     EXPECT_NE (messageOf (folder / "damaged.pcd"), "") << "byte " << i - sizes;
   }
 }
+
+TEST (OrganizedPcd, IntensitiesAreRead)
+{
+  const TemporaryFolder folder;
+  pcl::PointCloud<pcl::PointXYZI> cloud (6, 4);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].intensity = 0.25f * static_cast<float> (i);
+  pcl::io::savePCDFileBinaryCompressed (folder / "some.pcd", cloud);
+  const auto read = readIntensityPcd (folder / "some.pcd");
+  ASSERT_EQ (read.width, 6u);
+  ASSERT_EQ (read.height, 4u);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    EXPECT_EQ (read[i].intensity, cloud[i].intensity);
+  pcl::io::savePCDFileBinary (folder / "other.pcd", someCloud());
+  EXPECT_THROW (readIntensityPcd (folder / "other.pcd"), AppError);
+}

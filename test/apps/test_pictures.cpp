@@ -145,3 +145,20 @@ TEST (Pictures, PngHoldsThePixels)
         {image.samples[3 * i], image.samples[3 * i + 1], image.samples[3 * i + 2]}))
         << i;
 }
+
+TEST (Pictures, WarpIsRedWhereDepthIsTooSmall)
+{
+  pcl::PointCloud<pcl::Intensity> warp (5, 1);
+  const float values[] = {0.f, 0.005f, -0.005f, 1.f, -1.f};
+  for (std::size_t i = 0; i < 5; ++i)
+    warp[i].intensity = values[i];
+  const Picture picture = warpPicture (warp);
+  ASSERT_EQ (picture.width, 5u);
+  const int expected[][3] = {
+      {255, 255, 255}, {255, 127, 127}, {127, 127, 255}, {255, 0, 0}, {0, 0, 255}};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ (picture[i].r, expected[i][0]) << i;
+    EXPECT_EQ (picture[i].g, expected[i][1]) << i;
+    EXPECT_EQ (picture[i].b, expected[i][2]) << i;
+  }
+}

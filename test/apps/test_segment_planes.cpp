@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -364,4 +365,48 @@ TEST_F (SegmentPlanes, RefusesABadBaseTransform)
   expectRefused ("sim:table_single --base-transform 0,0,1.2,0,30",
                  "x,y,z,roll,pitch,yaw");
   expectRefused ("sim:table_single --base-transform 0,0,1.2,0,30,nan", "finite");
+}
+
+TEST_F (SegmentPlanes, CorrectsWithTheWarpOfAnEarlierRun)
+{
+  const auto planes = [&] (const std::string& file) {
+    return json::parse (readFile (folder_ / file))["frames"][0]["planes"];
+  };
+  const Outcome learned =
+      run ("sim:corridor:1:2 --corrected camera --output camera --obstacles");
+  ASSERT_EQ (learned.code, 0) << learned.err;
+  EXPECT_TRUE (std::filesystem::exists (folder_ / "camera/warp.png"));
+  const std::string warp = " --corrected camera/warp.pcd --output ";
+  ASSERT_EQ (run ("sim:corridor:1:2" + warp + "again").code, 0);
+  EXPECT_EQ (planes ("again/result.json"), planes ("camera/result.json"));
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "again/warp.pcd"));
+
+  // The angle between two walls of the corridor.
+  const auto cosine = [&] (const std::string& file) {
+    const json found = planes (file);
+    double sum = 0.;
+    for (int i = 0; i < 3; ++i)
+      sum += found[1]["normal"][i].get<double>() * found[2]["normal"][i].get<double>();
+    return std::fabs (sum);
+  };
+  ASSERT_EQ (run ("sim:corridor:1:2 --json measured.json").code, 0);
+  EXPECT_GT (cosine ("measured.json"), 0.05);
+  EXPECT_LT (cosine ("again/result.json"), 0.02);
+  ASSERT_EQ (run ("sim:corridor:1:2 --resolution qvga" + warp + "small").code, 0);
+  EXPECT_LT (cosine ("small/result.json"), 0.02);
+}
+
+TEST_F (SegmentPlanes, RefusesWhatIsNoWarpOfTheCamera)
+{
+  ASSERT_EQ (
+      run ("sim:corridor --corrected camera --resolution qvga --output camera").code,
+      0);
+  expectRefused ("sim:corridor --corrected camera/warp.pcd", "320 x 240");
+  expectRefused ("sim:corridor --corrected camera/corridor_1_labels.pcd", "intensity");
+  expectRefused ("sim:corridor --corrected none.pcd", "none.pcd");
+  expectRefused ("sim:corridor --corrected cam", "frame, camera or a .pcd file");
+  pcl::PointCloud<pcl::Intensity> broken (640, 480);
+  broken[7].intensity = std::numeric_limits<float>::infinity();
+  pcl::io::savePCDFileBinary (folder_ / "broken.pcd", broken);
+  expectRefused ("sim:corridor --corrected broken.pcd", "no warp");
 }

@@ -50,7 +50,13 @@ struct SegmenterOptions {
   /** Where the camera is; by default where a simulated one is. Without either,
    * estimateCameraToBase(). */
   std::optional<Eigen::Affine3f> camera_to_base;
+  /** Whether DepthWarpCorrection corrected the points of the frames. */
+  bool corrected_points = false;
 };
+
+/** \brief What the options say, or their default for a number of pixels. */
+unsigned
+minInliers (const SegmenterOptions& options, std::size_t pixels);
 
 /** \brief The kind of a plane a, b, c, d that faces the camera: floor, table (any other
  * horizontal surface), ceiling, wall or slope; "unknown" without a transform. */

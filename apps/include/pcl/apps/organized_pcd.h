@@ -26,5 +26,10 @@ namespace rgbd_planes {
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readOrganizedPcd (const std::string& file, PointLabels* labels = nullptr);
 
+/** \brief Reads an image of 32-bit floats, the field intensity of an organized cloud. Throws
+ * AppError as readOrganizedPcd() does. */
+pcl::PointCloud<pcl::Intensity>
+readIntensityPcd (const std::string& file);
+
 } // namespace rgbd_planes
 } // namespace pcl

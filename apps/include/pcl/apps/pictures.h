@@ -44,6 +44,11 @@ normalsPicture (const pcl::PointCloud<pcl::Normal>& normals);
 Picture
 depthPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
 
+/** \brief A warp of inverse depth: white where there is none, red where it makes depth too small,
+ * blue where too large, full colours from 0.01 1/m on, which is 4 cm at 2 m. */
+Picture
+warpPicture (const pcl::PointCloud<pcl::Intensity>& warp);
+
 /** \brief The bytes of an 8-bit RGB PNG file. */
 std::string
 encodePng (const Picture& picture);

@@ -47,7 +47,7 @@ public:
   PlaneComparison (const std::vector<std::uint32_t>& steps,
                    const std::optional<RightAngles::Pairs>& right_angles,
                    const std::vector<std::string>& without,
-                   const std::optional<WarpSource>& corrected);
+                   const std::optional<CorrectedOption>& corrected);
 
   /** \brief What is to be shown all frames, one after the other, before the first
    * add (). */

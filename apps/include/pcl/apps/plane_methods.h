@@ -53,7 +53,7 @@ planeAdditionNames ();
  */
 std::vector<PlaneMethod>
 planeMethods (const std::vector<std::string>& without,
-              const std::optional<WarpSource>& corrected);
+              const std::optional<CorrectedOption>& corrected);
 
 } // namespace rgbd_planes
 } // namespace pcl

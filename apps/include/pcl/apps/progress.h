@@ -3,7 +3,11 @@
 
 #pragma once
 
+#include <pcl/apps/frame_source.h>
+
 #include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -26,6 +30,11 @@ private:
   std::size_t all_;
   bool shown_;
 };
+
+/** \brief Shows all frames to \a body with Progress, until the user interrupts. */
+void
+forEachFrame (const std::vector<FrameSource>& sources,
+              const std::function<void (const Frame&)>& body);
 
 } // namespace rgbd_planes
 } // namespace pcl
