@@ -94,6 +94,10 @@ main (int argc, char** argv)
   printAngles ("after", planes);
   // [/correct]
 
+  // [keep]
+  pcl::io::savePCDFileBinaryCompressed ("warp.pcd", fine.getWarp());
+  // [/keep]
+
   // [project]
   pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
   projection.setInputCloud (corrected);
