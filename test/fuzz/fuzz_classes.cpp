@@ -356,7 +356,14 @@ private:
     correction_.setDepthNoise (anyNoise (data_));
     if (data_.ConsumeBool())
       correction_.clearFrames();
+    correction_.setRightAngles (data_.ConsumeBool());
     correction_.addFrame (cloud_, planes_, inliers_);
+    apply (correction_);
+    auto warp = correction_.getWarp();
+    if (warp.empty() || data_.ConsumeBool())
+      return;
+    warp.front().intensity = anyFloat (data_);
+    correction_.setWarp (warp);
     apply (correction_);
   }
 

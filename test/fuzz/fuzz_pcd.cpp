@@ -23,5 +23,11 @@ LLVMFuzzerTestOneInput (const std::uint8_t* bytes, std::size_t size)
       if (std::isfinite (p.x) != std::isfinite (p.z) || std::isinf (p.y))
         std::abort();
   });
+  fuzz::mayBeRefused ([&] {
+    const fuzz::ScratchFile file (bytes, size);
+    const auto image = pcl::rgbd_planes::readIntensityPcd (file.path());
+    if (!image.isOrganized() || image.size() != image.width * image.height)
+      std::abort();
+  });
   return 0;
 }
