@@ -76,8 +76,7 @@ readOptions (int argc, char** argv)
       "with "
       "--obstacles FRAME_obstacles.png and FRAME_scan.csv; for all frames planes.csv, "
       "objects.csv, obstacles.csv and result.json; with --corrected camera warp.pcd, "
-      "the "
-      "error of depth for later runs, and warp.png") (
+      "the error of depth for later runs, and warp.png") (
       "json",
       po::value<std::string>()->value_name ("FILE"),
       "write the result as JSON");

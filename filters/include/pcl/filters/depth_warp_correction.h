@@ -116,8 +116,8 @@ public:
   }
 
   /** \brief Whether planes of 3 % of the image and more that are within 4 degrees of a right
-   * angle are taken to be at one, as in buildings; default true. False where such planes may truly be some degrees off, or to
-   * measure right angles. Counts from the next frame on. */
+   * angle are taken to be at one, as in buildings; default true. False where such planes may
+   * truly be some degrees off, or to measure right angles. Counts from the next frame on. */
   void
   setRightAngles (bool right_angles)
   {
