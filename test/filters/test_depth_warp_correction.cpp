@@ -203,14 +203,13 @@ errorOfPanel (int size)
 {
   Corner corner (320, noWarp, Corner::twoWalls (0.f));
   const Eigen::Vector4f skew = Corner::twoWalls (3.f)[2];
-  auto& wall = corner.inliers[2].indices;
   const auto isOnPanel = [&] (int i) {
     return i % 320 >= 240 && i % 320 < 240 + 4 * size && i / 320 >= 40 &&
            i / 320 < 40 + 4 * size;
   };
   corner.planes.push_back (skew);
   corner.inliers.emplace_back();
-  auto& panel = corner.inliers.back().indices;
+  auto &wall = corner.inliers[2].indices, &panel = corner.inliers.back().indices;
   std::copy_if (wall.begin(), wall.end(), std::back_inserter (panel), isOnPanel);
   EXPECT_EQ (static_cast<int> (panel.size()), 16 * size * size);
   wall.erase (std::remove_if (wall.begin(), wall.end(), isOnPanel), wall.end());
