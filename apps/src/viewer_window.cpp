@@ -8,6 +8,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -20,6 +21,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWorldPointPicker.h>
 
 #include <algorithm>
 #include <cctype>
@@ -33,18 +35,21 @@ namespace {
 
 constexpr char cloud_id[] = "cloud";
 
-/** Gives keys to the handler before PCL, which has a use for nearly all of them. */
-class KeyStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
+/** Gives keys to the handler before PCL, which has a use for nearly all of them, and what is
+ * seen at a click with shift. PCL's own picking sometimes tells other points (its issue 3954).
+ */
+class ViewerStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
 public:
-  static KeyStyle*
+  static ViewerStyle*
   New ();
 
-  vtkTypeMacro (KeyStyle, pcl::visualization::PCLVisualizerInteractorStyle);
+  vtkTypeMacro (ViewerStyle, pcl::visualization::PCLVisualizerInteractorStyle);
 
   void
-  setKeyHandler (ViewerWindow::KeyHandler take_key)
+  setHandlers (ViewerWindow::KeyHandler take_key, ViewerWindow::PickHandler take_point)
   {
     take_key_ = std::move (take_key);
+    take_point_ = std::move (take_point);
   }
 
 protected:
@@ -66,17 +71,38 @@ protected:
       Superclass::OnChar();
   }
 
+  void
+  OnLeftButtonDown () override
+  {
+    if (Interactor->GetShiftKey())
+      pick (Interactor->GetEventPosition());
+    Superclass::OnLeftButtonDown();
+  }
+
   /** PCL would draw. */
   void
   OnTimer () override
   {}
 
 private:
+  void
+  pick (const int* pixel)
+  {
+    vtkRenderer* renderer = Interactor->FindPokedRenderer (pixel[0], pixel[1]);
+    if (renderer->GetZ (pixel[0], pixel[1]) >= 1.)
+      return; // nothing but background
+    vtkNew<vtkWorldPointPicker> picker;
+    picker->Pick (pixel[0], pixel[1], 0., renderer);
+    take_point_ (
+        Eigen::Map<const Eigen::Vector3d> (picker->GetPickPosition()).cast<float>());
+  }
+
   ViewerWindow::KeyHandler take_key_;
+  ViewerWindow::PickHandler take_point_;
   bool taken_ = false;
 };
 
-vtkStandardNewMacro (KeyStyle);
+vtkStandardNewMacro (ViewerStyle);
 
 vtkSmartPointer<vtkTextActor>
 makeText (bool at_top)
@@ -102,21 +128,15 @@ ViewerWindow::ViewerWindow (KeyHandler take_key, PickHandler take_point)
 , help_ (makeText (false))
 {
   checkDisplay();
-  KeyStyle* style = KeyStyle::New(); // PCL takes it over
-  style->setKeyHandler (std::move (take_key));
+  ViewerStyle* style = ViewerStyle::New(); // PCL takes it over
+  style->setHandlers (std::move (take_key), std::move (take_point));
   int no_arguments = 0;
   visualizer_ = std::make_unique<pcl::visualization::PCLVisualizer> (
       no_arguments, nullptr, "pcl_plane_viewer", style);
   visualizer_->getRenderWindow()->SetMultiSamples (0);
   visualizer_->setSize (1024, 768);
   visualizer_->setShowFPS (false);
-  visualizer_->registerPointPickingCallback (
-      [take_point = std::move (take_point)] (const auto& event) {
-        Eigen::Vector3f p;
-        event.getPoint (p.x(), p.y(), p.z());
-        if (event.getPointIndex() >= 0)
-          take_point (p);
-      });
+  style->RemoveObservers (vtkCommand::LeftButtonPressEvent); // PCL's picking
   lines_->SetMapper (vtkSmartPointer<vtkPolyDataMapper>::New());
   lines_->GetProperty()->SetLineWidth (2.f);
   lines_->GetProperty()->LightingOff();

@@ -4,9 +4,6 @@
 #include "viewer_window_test.h"
 
 #include <vtkCamera.h>
-#include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
-#include <vtkRenderWindow.h>
 
 using namespace pcl::rgbd_planes;
 
@@ -154,17 +151,25 @@ TEST_F (ViewerWindowTest, KeyQEnds)
 TEST_F (ViewerWindowTest, AClickWithShiftTellsThePlane)
 {
   viewer_->show (viewer_scene::makeFrame());
-  testing::internal::CaptureStdout();
-  shiftClick (512, 250);
-  const std::string wall = testing::internal::GetCapturedStdout();
+  press ('c'); // lines beside the points
+  const std::string wall = shiftClick ({0.f, -0.7f, 3.f});
   EXPECT_EQ (wall.rfind ("scene: plane ", 0), 0u) << wall;
+  EXPECT_NE (wall.find (" z +3.0000 = 0, "), std::string::npos) << wall;
   EXPECT_NE (wall.find (", wall\n"), std::string::npos) << wall;
   EXPECT_TRUE (says ("\nscene: plane ") && says (", wall"));
-  testing::internal::CaptureStdout();
-  shiftClick (300, 590);
-  const std::string floor = testing::internal::GetCapturedStdout();
-  EXPECT_NE (floor.find (", floor\n"), std::string::npos) << floor;
+  const std::string box = shiftClick ({0.f, 0.457f, 2.f});
+  EXPECT_NE (box.find (" z +2.0000 = 0, "), std::string::npos) << box;
+  const std::string floor = shiftClick ({-0.27f, 0.6f, 2.62f});
+  EXPECT_NE (floor.find (", floor\n"), std::string::npos)
+      << "12 pixels beside the box: " << floor;
   EXPECT_TRUE (says (", floor"));
+}
+
+TEST_F (ViewerWindowTest, AClickWithShiftOnTheBackgroundTellsNothing)
+{
+  viewer_->show (viewer_scene::makeFrame());
+  EXPECT_EQ (shiftClick ({0.f, -1.6f, 3.f}), "") << "above the wall";
+  EXPECT_FALSE (says ("scene: "));
 }
 
 TEST_F (ViewerWindowTest, TheFirstPointsAreLookedAt)

@@ -13,6 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <vtkCommand.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
 #include <cstdlib>
@@ -89,15 +92,22 @@ protected:
       interactor.InvokeEvent (event, nullptr);
   }
 
-  /** \param[in] u of a window of 1024 pixels */
-  void
-  shiftClick (int u, int v)
+  /** \return what the terminal tells of a click with shift where a point is seen */
+  std::string
+  shiftClick (const Eigen::Vector3f& point)
   {
     auto& interactor = viewer_->window().interactor();
-    interactor.SetEventInformationFlipY (u, v, 0, 1);
+    auto& renderer = *interactor.GetRenderWindow()->GetRenderers()->GetFirstRenderer();
+    renderer.SetWorldPoint (point.x(), point.y(), point.z(), 1.);
+    renderer.WorldToDisplay();
+    const double* pixel = renderer.GetDisplayPoint();
+    interactor.SetEventInformation (
+        static_cast<int> (pixel[0]), static_cast<int> (pixel[1]), 0, 1);
+    testing::internal::CaptureStdout();
     interactor.InvokeEvent (vtkCommand::LeftButtonPressEvent, nullptr);
     interactor.InvokeEvent (vtkCommand::LeftButtonReleaseEvent, nullptr);
     viewer_->update();
+    return testing::internal::GetCapturedStdout();
   }
 
   /** The pixels of a colour in the part of the window without text, in percent. */
