@@ -5,9 +5,32 @@
 #include <pcl/segmentation/plane_assignment.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace pcl {
 namespace rgbd_planes {
+
+namespace {
+
+/** The first of the labels up to \a end that differs from the first one. */
+const std::uint32_t*
+endOfRun (const std::uint32_t* begin, const std::uint32_t* end)
+{
+  constexpr std::ptrdiff_t at_once = 8;
+  const std::uint32_t label = *begin;
+  for (; end - begin >= at_once; begin += at_once) {
+    std::uint32_t difference = 0;
+    for (std::ptrdiff_t k = 0; k < at_once; ++k)
+      difference |= begin[k] ^ label;
+    if (difference != 0)
+      break;
+  }
+  while (begin != end && *begin == label)
+    ++begin;
+  return begin;
+}
+
+} // namespace
 
 void
 LabelRuns::find (std::vector<std::uint32_t>& labels,
@@ -22,8 +45,8 @@ LabelRuns::find (std::vector<std::uint32_t>& labels,
     rows_.push_back (runs_.size());
     for (std::size_t begin = row, end; begin < row + width; begin = end) {
       const std::uint32_t label = labels[begin];
-      for (end = begin + 1; end < row + width && labels[end] == label;)
-        ++end;
+      end = static_cast<std::size_t> (
+          endOfRun (&labels[begin], labels.data() + row + width) - labels.data());
       if (label == unlabelled)
         continue;
       const std::uint32_t number = numbers[label];

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -49,15 +50,11 @@ PlaneGrowth::reset (const PlaneSamples& samples,
   const std::size_t tiles = samples.tiles();
   counts_.assign (tiles, 0);
   free_.assign (tiles, 0);
-  connected_.assign (tiles, 0);
+  looked_at_.assign (tiles, 0);
   near_.assign (tiles, 0);
   for (std::size_t i = 0; i < samples.size(); ++i)
     free_[i / PlaneSamples::tile_size] = static_cast<std::uint8_t> (
         free_[i / PlaneSamples::tile_size] + samples.isFree (i));
-  active_.clear();
-  for (std::uint32_t tile = 0; tile < tiles; ++tile)
-    if (free_[tile] > 0)
-      active_.push_back (tile);
 }
 
 PlaneGrowth::Result
@@ -148,13 +145,7 @@ PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
     plane_ = plane;
     if (!plane.normal.allFinite() || !std::isfinite (plane.d))
       return false;
-    claimSamples (samples,
-                  active_,
-                  equationOf (plane),
-                  max_sigmas,
-                  claimed_.data(),
-                  counts_.data());
-    keepTilesAround (samples);
+    claimConnected (samples, max_sigmas);
     std::size_t number = 0;
     for (const std::uint32_t tile : tiles_)
       number += counts_[tile];
@@ -170,33 +161,37 @@ PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
   }
 }
 
-/** Collects the tiles of the plane that hang together with those of its seed, and the
- * tiles around them. */
+/** Claims the samples on the plane in the tiles that hang together with those of its seed,
+ * and in the tiles around them. */
 void
-PlaneGrowth::keepTilesAround (const PlaneSamples& samples)
+PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
 {
-  stack_.clear();
+  const PlaneEquation plane = equationOf (plane_);
+  connected_.clear();
   tiles_.clear();
-  const auto connect = [&] (std::uint32_t tile) {
-    if (connected_[tile] || counts_[tile] < min_tile_points)
+  const auto lookAt = [&] (std::uint32_t tile) {
+    if (std::exchange (looked_at_[tile], std::uint8_t{1}))
       return;
-    connected_[tile] = 1;
-    stack_.push_back (tile);
+    seen_.push_back (tile);
+    counts_[tile] = free_[tile] > 0
+                        ? claimTile (samples, tile, plane, max_sigmas, claimed_.data())
+                        : 0;
+    if (counts_[tile] >= min_tile_points)
+      connected_.push_back (tile);
   };
+  seen_.clear();
   for (const std::uint32_t tile : seed_tiles_)
-    connect (tile);
-  for (std::size_t k = 0; k < stack_.size(); ++k)
-    samples.forEachTileAround (stack_[k], [&] (std::uint32_t tile) {
-      connect (tile);
+    lookAt (tile);
+  for (std::size_t k = 0; k < connected_.size(); ++k)
+    samples.forEachTileAround (connected_[k], [&] (std::uint32_t tile) {
+      lookAt (tile);
       if (!near_[tile] && counts_[tile] > 0) {
         near_[tile] = 1;
         tiles_.push_back (tile);
       }
     });
-  for (const std::uint32_t tile : stack_)
-    connected_[tile] = 0;
-  for (const std::uint32_t tile : tiles_)
-    near_[tile] = 0;
+  for (const std::uint32_t tile : seen_)
+    looked_at_[tile] = near_[tile] = 0;
 }
 
 PlaneMoments
@@ -268,14 +263,6 @@ PlaneGrowth::take (PlaneSamples& samples, std::int32_t owner)
       }
     free_[tile] = static_cast<std::uint8_t> (free_[tile] - counts_[tile]);
   }
-  active_.erase (std::remove_if (active_.begin(),
-                                 active_.end(),
-                                 [this] (std::uint32_t tile) {
-                                   if (free_[tile] == 0)
-                                     counts_[tile] = 0;
-                                   return free_[tile] == 0;
-                                 }),
-                 active_.end());
 }
 
 } // namespace rgbd_planes

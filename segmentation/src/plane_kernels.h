@@ -42,17 +42,16 @@ constexpr float min_view_cosine = 0.1f;
 void
 fillUncertainties (PlaneSamples& samples, const DepthNoise& noise);
 
-/** Marks the free samples of \a tiles that lie on a plane and whose normals agree.
- * \param[out] claimed the weight of each sample of the tiles that does, 0 for others
- * \param[out] counts their number in each tile of \a tiles
+/** Marks the free samples of \a tile that lie on a plane and whose normals agree.
+ * \param[out] claimed the weight of each sample of the tile that does, 0 for others
+ * \return their number
  */
-void
-claimSamples (const PlaneSamples& samples,
-              const std::vector<std::uint32_t>& tiles,
-              const PlaneEquation& plane,
-              float max_sigmas,
-              float* claimed,
-              std::uint8_t* counts);
+std::uint8_t
+claimTile (const PlaneSamples& samples,
+           std::size_t tile,
+           const PlaneEquation& plane,
+           float max_sigmas,
+           float* claimed);
 
 /** Sums, weighted by \a claimed, of 1, x, y, z, xx, xy, xz, yy, yz, zz, relative to
  * \a reference. */

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "plane_kernels.h"
+#include <hwy/cache_control.h>
 
 #include <pcl/segmentation/plane_samples.h>
 
@@ -101,8 +102,14 @@ PlaneSamples::compute (const OrganizedPoints& points,
     return (selected.empty() || selected[pixel]) && square > min_squared_range &&
            square <= farthest;
   };
-  for (int v = 0; v < height; ++v)
+  for (int v = 0; v < height; ++v) {
+    const std::size_t below = middlePixel (points, 0, v + 1);
     for (int u = 0; u < width; ++u) {
+      if (step > 1) { // else the processor reads ahead by itself
+        const std::size_t next = below + static_cast<std::size_t> (u * step);
+        hwy::Prefetch (points[next]);
+        hwy::Prefetch (normals.normal + next * normals.stride);
+      }
       const std::size_t pixel = findPixel (points, u, v, isUsable);
       if (pixel == points.size())
         continue;
@@ -119,7 +126,17 @@ PlaneSamples::compute (const OrganizedPoints& points,
       normal_y[i] = normal[1];
       normal_z[i] = normal[2];
     }
+  }
   fillUncertainties (*this, noise);
+}
+
+std::size_t
+PlaneSamples::middlePixel (const OrganizedPoints& points, int u, int v) const
+{
+  const int column = std::min (u * step + step / 2, points.width - 1);
+  const int row = std::min (v * step + step / 2, points.height - 1);
+  return static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
+         static_cast<std::size_t> (column);
 }
 
 /** The pixel in the middle of a sample's cell, or else the first usable one of the cell;
@@ -131,20 +148,18 @@ PlaneSamples::findPixel (const OrganizedPoints& points,
                          int v,
                          const IsUsable& isUsable) const
 {
-  const auto pixelAt = [&] (int column, int row) {
-    return static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
-           static_cast<std::size_t> (column);
-  };
-  const std::size_t middle =
-      pixelAt (std::min (u * step + step / 2, points.width - 1),
-               std::min (v * step + step / 2, points.height - 1));
+  const std::size_t middle = middlePixel (points, u, v);
   if (isUsable (middle))
     return middle;
   for (int row = v * step; row < std::min ((v + 1) * step, points.height); ++row)
     for (int column = u * step; column < std::min ((u + 1) * step, points.width);
-         ++column)
-      if (isUsable (pixelAt (column, row)))
-        return pixelAt (column, row);
+         ++column) {
+      const std::size_t pixel =
+          static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
+          static_cast<std::size_t> (column);
+      if (isUsable (pixel))
+        return pixel;
+    }
   return points.size();
 }
 

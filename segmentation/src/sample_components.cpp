@@ -59,6 +59,7 @@ SampleComponents::compute (const PlaneSamples& samples,
                            bool connected)
 {
   sets_.resize (samples.size());
+  roots_.resize (samples.size());
   places_.resize (samples.size());
   for (const std::uint32_t i : clustered)
     sets_.add (i);
@@ -69,16 +70,18 @@ SampleComponents::compute (const PlaneSamples& samples,
   for (const std::uint32_t i : clustered)
     places_[i] = 0;
   for (const std::uint32_t i : clustered)
-    if (clusters[i] >= 0)
-      ++places_[sets_.root (i)];
+    if (clusters[i] >= 0) {
+      roots_[i] = sets_.root (i);
+      ++places_[roots_[i]];
+    }
 
   members_.resize (samples.size());
   components_.clear();
   std::uint32_t end = 0;
   for (const std::uint32_t i : clustered) {
-    if (clusters[i] < 0 || sets_.root (i) != i)
-      continue;
     const std::uint32_t count = places_[i];
+    if (count == 0)
+      continue;
     places_[i] = count >= min_points ? end : nowhere;
     if (count >= min_points) {
       components_.push_back ({&members_[end], &members_[end] + count, clusters[i]});
@@ -86,8 +89,8 @@ SampleComponents::compute (const PlaneSamples& samples,
     }
   }
   for (const std::uint32_t i : clustered)
-    if (clusters[i] >= 0 && places_[sets_.root (i)] != nowhere)
-      members_[places_[sets_.root (i)]++] = i;
+    if (clusters[i] >= 0 && places_[roots_[i]] != nowhere)
+      members_[places_[roots_[i]]++] = i;
   std::sort (components_.begin(),
              components_.end(),
              [] (const Component& a, const Component& b) {

@@ -89,17 +89,18 @@ fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
   }
 }
 
-void
-claimSamplesHere (const PlaneSamples& samples,
-                  const std::vector<std::uint32_t>& tiles,
-                  const PlaneEquation& plane,
-                  float max_sigmas,
-                  float* claimed,
-                  std::uint8_t* counts)
+std::uint8_t
+claimTileHere (const PlaneSamples& samples,
+               std::size_t tile,
+               const PlaneEquation& plane,
+               float max_sigmas,
+               float* claimed)
 {
-  for (const std::uint32_t tile : tiles)
-    counts[tile] = 0;
-  forEachVector (tiles, [&] (std::size_t i) {
+  std::size_t number = 0;
+  const std::size_t begin = tile * PlaneSamples::tile_size;
+  for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
+       lane += hn::Lanes (Floats())) {
+    const std::size_t i = begin + lane;
     const V distance = hn::Add (
         dot (plane, {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])}),
         set (plane.d));
@@ -114,9 +115,9 @@ claimSamplesHere (const PlaneSamples& samples,
                  hn::Ge (hn::Abs (cosine), load (&samples.min_cosine[i])));
     hn::StoreU (
         hn::IfThenElseZero (on, load (&samples.weight[i])), Floats(), claimed + i);
-    counts[i / PlaneSamples::tile_size] = static_cast<std::uint8_t> (
-        counts[i / PlaneSamples::tile_size] + hn::CountTrue (Floats(), on));
-  });
+    number += hn::CountTrue (Floats(), on);
+  }
+  return static_cast<std::uint8_t> (number);
 }
 
 void
@@ -199,7 +200,7 @@ namespace pcl {
 namespace rgbd_planes {
 
 HWY_EXPORT (fillUncertaintiesHere);
-HWY_EXPORT (claimSamplesHere);
+HWY_EXPORT (claimTileHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (sumNormalsHere);
 HWY_EXPORT (compatibleSamplesHere);
@@ -210,16 +211,15 @@ fillUncertainties (PlaneSamples& samples, const DepthNoise& noise)
   HWY_DYNAMIC_DISPATCH (fillUncertaintiesHere) (samples, noise);
 }
 
-void
-claimSamples (const PlaneSamples& samples,
-              const std::vector<std::uint32_t>& tiles,
-              const PlaneEquation& plane,
-              float max_sigmas,
-              float* claimed,
-              std::uint8_t* counts)
+std::uint8_t
+claimTile (const PlaneSamples& samples,
+           std::size_t tile,
+           const PlaneEquation& plane,
+           float max_sigmas,
+           float* claimed)
 {
-  HWY_DYNAMIC_DISPATCH (claimSamplesHere)
-  (samples, tiles, plane, max_sigmas, claimed, counts);
+  return HWY_DYNAMIC_DISPATCH (claimTileHere) (
+      samples, tile, plane, max_sigmas, claimed);
 }
 
 void

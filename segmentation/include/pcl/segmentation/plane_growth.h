@@ -76,7 +76,7 @@ private:
   claimUntilStable (const PlaneSamples& samples, Plane plane, float max_sigmas);
 
   void
-  keepTilesAround (const PlaneSamples& samples);
+  claimConnected (const PlaneSamples& samples, float max_sigmas);
 
   bool
   isCurved (const PlaneSamples& samples, const Plane& plane) const;
@@ -92,15 +92,15 @@ private:
   double min_points_ = 0.;
   float max_sigmas_ = 0.f;
   PlaneAdditions additions_;
-  /** Tiles with free samples, and their numbers. */
-  std::vector<std::uint32_t> active_;
+  /** The number of free samples in each tile. */
   std::vector<std::uint8_t> free_;
   /** Of the plane that grows: weights of the samples on it, 0 for others, their number
-   * in each tile, the tiles of its seed, and those that it may have. */
+   * in each tile, the tiles of its seed, those that it may have, and on the way there
+   * those that were looked at and those that hang together. */
   std::vector<float> claimed_;
   std::vector<std::uint8_t> counts_;
-  std::vector<std::uint8_t> connected_, near_;
-  std::vector<std::uint32_t> seed_tiles_, stack_, tiles_;
+  std::vector<std::uint8_t> looked_at_, near_;
+  std::vector<std::uint32_t> seed_tiles_, tiles_, seen_, connected_;
   Eigen::Vector3d reference_ = Eigen::Vector3d::Zero();
   Plane plane_;
   PlaneMoments sums_;

@@ -60,6 +60,8 @@ private:
                 const std::vector<std::int32_t>& clusters);
 
   DisjointSets sets_;
+  /** The first sample of the component of each. */
+  std::vector<std::uint32_t> roots_;
   /** The number of samples of a component at its first one, then where they are. */
   std::vector<std::uint32_t> places_;
   std::vector<std::uint32_t> members_;
