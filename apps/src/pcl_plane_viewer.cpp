@@ -44,6 +44,7 @@ without one where the package xvfb is installed.
 
   pcl_plane_viewer sim:room
   pcl_plane_viewer folder_of_pcds --rate 10 --loop
+  pcl_plane_viewer folder_of_pcds --corrected warp/warp.pcd
   pcl_plane_viewer sim:table_cluttered --show planes,objects --screenshot table.png
 
 )";
@@ -68,6 +69,12 @@ describeOptions ()
       text ("HZ")->default_value ("30"),
       "frames per second where the recording does not know its times") (
       "loop", "start again at the end") (
+      "corrected",
+      text ("frame|FILE"),
+      "points corrected by DepthWarpCorrection: the planes of each frame tell the "
+      "error of "
+      "depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote for this "
+      "camera; the key w switches") (
       "base-transform", text ("x,y,z,roll,pitch,yaw"), base_transform_help);
   return options.add (inputOptionsDescription());
 }
@@ -110,6 +117,12 @@ readOptions (int argc, char** argv)
   options.loop = values.count ("loop") != 0;
   if (values.count ("base-transform"))
     options.viewer.camera_to_base = parseBaseTransform (value ("base-transform"));
+  options.viewer.corrected = readCorrected (values);
+  if (options.viewer.corrected &&
+      options.viewer.corrected->source == WarpSource::camera)
+    throw AppError (
+        "--corrected camera: the viewer shows frames as they come; give the "
+        "warp.pcd that pcl_segment_planes writes with --corrected camera");
   if (values.count ("screenshot"))
     options.screenshot = value ("screenshot");
   return options;

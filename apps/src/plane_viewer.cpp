@@ -23,6 +23,7 @@ constexpr char keys_help[] =
     "  space  pause, or go on; at the end, from the beginning\n"
     "  .      show one frame more, and pause\n"
     "  d      resolution: VGA, QVGA, QQVGA (every 1st, 2nd, 4th pixel)\n"
+    "  w      points as measured, or corrected by --corrected\n"
     "  s      save what is seen as FRAME_view.png, the frame as FRAME_view.pcd\n"
     "  r      look from the camera again\n"
     "  h      show or hide this help\n"
@@ -49,7 +50,7 @@ PlaneViewer::PlaneViewer (const ViewerOptions& options)
 , window_ ([this] (char key) { return takeKey (key); },
            [this] (const Eigen::Vector3f& point) { takePoint (point); })
 , frames_left_ (options.max_frames)
-, frame_ (options.camera_to_base)
+, frame_ (options.camera_to_base, options.corrected)
 {}
 
 PlaneViewer::~PlaneViewer()
@@ -113,6 +114,9 @@ PlaneViewer::takeKey (char key)
   case 'd':
     changeResolution();
     return true;
+  case 'w':
+    switchCorrection();
+    return true;
   case 's':
     save();
     break;
@@ -171,6 +175,25 @@ PlaneViewer::changeResolution()
   options_.step = coarser > coarsest || std::min (cloud.width, cloud.height) <= coarser
                       ? 1
                       : coarser;
+  computeAgain();
+}
+
+void
+PlaneViewer::switchCorrection()
+{
+  if (!options_.corrected) {
+    message_ = "points are as measured; start with --corrected to correct them";
+    return refresh();
+  }
+  frame_.setCorrected (!frame_.isCorrected());
+  computeAgain();
+}
+
+void
+PlaneViewer::computeAgain()
+{
+  if (!original_)
+    return refresh();
   frame_.compute (*original_, options_.step);
   draw();
 }
@@ -238,7 +261,8 @@ PlaneViewer::statusText() const
              slot_.dropped() % (grabber_->isRunning() ? "playing" : "paused"))
                 .str();
   }
-  text += "shown: " + layerNames (options_.layers) + "   h: help";
+  text += "shown: " + layerNames (options_.layers) +
+          (frame_.isCorrected() ? "   corrected" : "") + "   h: help";
   return message_.empty() ? text : text + '\n' + message_;
 }
 

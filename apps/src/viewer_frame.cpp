@@ -25,10 +25,22 @@ withEverything (const std::optional<Eigen::Affine3f>& camera_to_base)
 
 } // namespace
 
-ViewerFrame::ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base)
-: segmenter_ (withEverything (camera_to_base))
+ViewerFrame::ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base,
+                          const std::optional<CorrectedOption>& corrected)
+: options_ (withEverything (camera_to_base))
+, segmenter_ (options_)
 {
+  if (corrected)
+    correction_.emplace (*corrected);
+  setCorrected (corrected.has_value());
   frame_.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
+}
+
+void
+ViewerFrame::setCorrected (bool corrected)
+{
+  options_.corrected_points = corrected;
+  segmenter_ = FrameSegmenter (options_);
 }
 
 void
@@ -42,6 +54,8 @@ ViewerFrame::compute (const Frame& frame, std::uint32_t step)
                     "clouds, and use --resolution vga");
   frame_ = frame;
   frame_.cloud = std::move (cloud);
+  if (isCorrected())
+    frame_ = correction_->correct (frame_, minInliers (options_, frame_.cloud->size()));
   summary_ = segmenter_.segment (frame_);
   tracker_.track (segmenter_.models(), segmenter_.labels(), ids_);
 }

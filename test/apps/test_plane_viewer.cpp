@@ -157,6 +157,8 @@ TEST_F (PlaneViewerApp, BadUsageIsRefused)
   expectRefused ("sim:room --frames 0", "--frames");
   expectRefused ("sim:room --resolution 1k", "vga, qvga or qqvga");
   expectRefused ("sim:room --base-transform 1,2", "x,y,z,roll,pitch,yaw");
+  expectRefused ("sim:room --corrected camera", "pcl_segment_planes writes");
+  expectRefused ("sim:room --corrected missing.pcd", "missing.pcd");
   expectRefused ("live:missing.oni", "live:missing.oni: ");
   expectRefused ("sim:room --screenshot missing/seen.png", "missing/seen.png");
   std::filesystem::create_directory (folder_ / "taken.png");

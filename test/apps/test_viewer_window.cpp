@@ -140,6 +140,39 @@ TEST_F (ViewerWindowTest, PlusAndMinusChangeThePoints)
   EXPECT_EQ (difference (before, viewer_->window().picture()), 0.);
 }
 
+TEST_F (ViewerWindowTest, KeyWSwitchesTheCorrection)
+{
+  constexpr float warp = 0.05f;
+  CorrectedOption corrected{WarpSource::file, "warp.pcd", {}};
+  corrected.warp.resize (640u, 480u);
+  for (auto& point : corrected.warp)
+    point.intensity = warp;
+  options_.corrected = corrected;
+  viewer_ = std::make_unique<PlaneViewer> (options_);
+  viewer_->show (viewer_scene::makeFrame());
+  EXPECT_TRUE (says ("shown: none   corrected"));
+  const float distance = 1.f / (1.f / viewer_scene::wall_distance - warp);
+  const std::string as_corrected = shiftClick ({0.f, 0.f, distance});
+  EXPECT_NE (as_corrected.find (" z +3.5294 = 0, "), std::string::npos) << as_corrected;
+  press ('w');
+  EXPECT_FALSE (says ("corrected"));
+  const std::string as_measured = shiftClick ({0.f, 0.f, viewer_scene::wall_distance});
+  EXPECT_NE (as_measured.find (" z +3.0000 = 0, "), std::string::npos) << as_measured;
+  press ('w');
+  press ('d');
+  EXPECT_TRUE (says ("scene, 320 x 240")) << "the warp is that of every 2nd pixel";
+  EXPECT_TRUE (says ("   corrected"));
+}
+
+TEST_F (ViewerWindowTest, KeyWTellsWhereThereIsNoCorrection)
+{
+  press ('w');
+  EXPECT_TRUE (says ("waiting for the first frame"));
+  viewer_->show (viewer_scene::makeFrame());
+  press ('w');
+  EXPECT_TRUE (says ("start with --corrected"));
+}
+
 TEST_F (ViewerWindowTest, KeyQEnds)
 {
   viewer_->show (viewer_scene::makeFrame());

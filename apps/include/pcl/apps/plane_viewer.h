@@ -22,6 +22,8 @@ namespace rgbd_planes {
 struct ViewerOptions {
   /** See SegmenterOptions::camera_to_base. */
   std::optional<Eigen::Affine3f> camera_to_base;
+  /** See ViewerFrame. */
+  std::optional<CorrectedOption> corrected;
   ViewerLayers layers;
   /** Every step-th pixel of every step-th row is taken. */
   std::uint32_t step = 1;
@@ -89,6 +91,13 @@ private:
 
   void
   changeResolution ();
+
+  void
+  switchCorrection ();
+
+  /** \brief The same frame, after options_ changed. */
+  void
+  computeAgain ();
 
   void
   save ();

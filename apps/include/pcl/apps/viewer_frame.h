@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/apps/depth_correction.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/segmentation/plane_tracker.h>
 
@@ -17,15 +18,31 @@ namespace rgbd_planes {
 class ViewerFrame {
 public:
   /** \param[in] camera_to_base see SegmenterOptions::camera_to_base */
-  explicit ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base);
+  /** \param[in] camera_to_base see SegmenterOptions
+   * \param[in] corrected how points are corrected, of a frame or with a file; nothing leaves
+   * them as measured
+   */
+  explicit ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base,
+                        const std::optional<CorrectedOption>& corrected = std::nullopt);
 
   /** \brief Finds the planes, objects and obstacles of the next frame, and which of the planes
    * are those of the frames before.
    * \param[in] step every step-th pixel of every step-th row is taken; AppError where that leaves
-   * less than 2 x 2 of them
+   * less than 2 x 2 of them, or a frame of another size than its correction
    */
   void
   compute (const Frame& frame, std::uint32_t step);
+
+  /** \brief Whether the next frames are corrected, which needs a correction, or left as they
+   * are measured. */
+  void
+  setCorrected (bool corrected);
+
+  bool
+  isCorrected () const
+  {
+    return options_.corrected_points;
+  }
 
   /** \brief The pixels that were taken; none before the first frame. */
   const pcl::PointCloud<pcl::PointXYZRGB>&
@@ -58,7 +75,9 @@ public:
   describePlane (const Eigen::Vector3f& place) const;
 
 private:
+  SegmenterOptions options_;
   FrameSegmenter segmenter_;
+  std::optional<DepthCorrection> correction_;
   pcl::PlaneTracker tracker_;
   Frame frame_;
   FrameSummary summary_;
