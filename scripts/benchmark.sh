@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # benchmark.sh [--quick] [DOC]: runs the benchmarks and the evaluations on simulated frames, and
 # renews the tables of DOC/benchmarks.md and the plots in DOC/images; DOC is doc by default. Takes
-# half an hour on an idle machine. --quick takes a minute and is only good to try the script.
+# minutes on an idle machine. --quick takes one and is only good to try the script.
 # BUILD is the folder with the programs, build by default.
 set -euo pipefail
 cd "$(dirname "$0")/.."
