@@ -72,9 +72,8 @@ describeOptions ()
       "corrected",
       text ("frame|FILE"),
       "points corrected by DepthWarpCorrection: the planes of each frame tell the "
-      "error of "
-      "depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote for this "
-      "camera; the key w switches") (
+      "error of depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote "
+      "for this camera; the key w switches") (
       "base-transform", text ("x,y,z,roll,pitch,yaw"), base_transform_help);
   return options.add (inputOptionsDescription());
 }
@@ -121,8 +120,8 @@ readOptions (int argc, char** argv)
   if (options.viewer.corrected &&
       options.viewer.corrected->source == WarpSource::camera)
     throw AppError (
-        "--corrected camera: the viewer shows frames as they come; give the "
-        "warp.pcd that pcl_segment_planes writes with --corrected camera");
+        "--corrected camera: the viewer shows frames as they come; give the warp.pcd "
+        "that pcl_segment_planes writes with --corrected camera");
   if (values.count ("screenshot"))
     options.screenshot = value ("screenshot");
   return options;

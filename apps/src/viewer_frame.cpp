@@ -14,9 +14,11 @@ namespace rgbd_planes {
 namespace {
 
 SegmenterOptions
-withEverything (const std::optional<Eigen::Affine3f>& camera_to_base)
+withEverything (const std::optional<Eigen::Affine3f>& camera_to_base,
+                bool corrected_points)
 {
   SegmenterOptions options;
+  options.corrected_points = corrected_points;
   options.find_objects = true;
   options.find_obstacles = true;
   options.camera_to_base = camera_to_base;
@@ -27,12 +29,10 @@ withEverything (const std::optional<Eigen::Affine3f>& camera_to_base)
 
 ViewerFrame::ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base,
                           const std::optional<CorrectedOption>& corrected)
-: options_ (withEverything (camera_to_base))
+: options_ (withEverything (camera_to_base, corrected.has_value()))
 , segmenter_ (options_)
+, correction_ (corrected)
 {
-  if (corrected)
-    correction_.emplace (*corrected);
-  setCorrected (corrected.has_value());
   frame_.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
 }
 

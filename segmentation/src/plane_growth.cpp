@@ -169,6 +169,7 @@ PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
   const PlaneEquation plane = equationOf (plane_);
   connected_.clear();
   tiles_.clear();
+  seen_.clear();
   const auto lookAt = [&] (std::uint32_t tile) {
     if (std::exchange (looked_at_[tile], std::uint8_t{1}))
       return;
@@ -179,7 +180,6 @@ PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
     if (counts_[tile] >= min_tile_points)
       connected_.push_back (tile);
   };
-  seen_.clear();
   for (const std::uint32_t tile : seed_tiles_)
     lookAt (tile);
   for (std::size_t k = 0; k < connected_.size(); ++k)

@@ -30,6 +30,13 @@ stepOf (int side)
   return std::max (1, (side + samples / 2) / samples);
 }
 
+std::size_t
+pixelAt (const OrganizedPoints& points, int column, int row)
+{
+  return static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
+         static_cast<std::size_t> (column);
+}
+
 bool
 isUnit (const float* normal)
 {
@@ -133,10 +140,9 @@ PlaneSamples::compute (const OrganizedPoints& points,
 std::size_t
 PlaneSamples::middlePixel (const OrganizedPoints& points, int u, int v) const
 {
-  const int column = std::min (u * step + step / 2, points.width - 1);
-  const int row = std::min (v * step + step / 2, points.height - 1);
-  return static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
-         static_cast<std::size_t> (column);
+  return pixelAt (points,
+                  std::min (u * step + step / 2, points.width - 1),
+                  std::min (v * step + step / 2, points.height - 1));
 }
 
 /** The pixel in the middle of a sample's cell, or else the first usable one of the cell;
@@ -153,13 +159,9 @@ PlaneSamples::findPixel (const OrganizedPoints& points,
     return middle;
   for (int row = v * step; row < std::min ((v + 1) * step, points.height); ++row)
     for (int column = u * step; column < std::min ((u + 1) * step, points.width);
-         ++column) {
-      const std::size_t pixel =
-          static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
-          static_cast<std::size_t> (column);
-      if (isUsable (pixel))
-        return pixel;
-    }
+         ++column)
+      if (isUsable (pixelAt (points, column, row)))
+        return pixelAt (points, column, row);
   return points.size();
 }
 

@@ -16,17 +16,24 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-/** Calls \a body (i) for the first sample of each vector in \a tiles. */
+/** Calls \a body (i) for the first sample of each vector in the tile that begins with
+ * sample \a begin. */
+template <typename Body>
+HWY_INLINE void
+forEachVectorFrom (std::size_t begin, const Body& body)
+{
+  for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
+       lane += hn::Lanes (Floats()))
+    body (begin + lane);
+}
+
+/** The same for all \a tiles. */
 template <typename Body>
 HWY_INLINE void
 forEachVector (const std::vector<std::uint32_t>& tiles, const Body& body)
 {
-  for (const std::uint32_t tile : tiles) {
-    const std::size_t begin = tile * PlaneSamples::tile_size;
-    for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
-         lane += hn::Lanes (Floats()))
-      body (begin + lane);
-  }
+  for (const std::uint32_t tile : tiles)
+    forEachVectorFrom (tile * PlaneSamples::tile_size, body);
 }
 
 HWY_INLINE Points
@@ -97,10 +104,7 @@ claimTileHere (const PlaneSamples& samples,
                float* claimed)
 {
   std::size_t number = 0;
-  const std::size_t begin = tile * PlaneSamples::tile_size;
-  for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
-       lane += hn::Lanes (Floats())) {
-    const std::size_t i = begin + lane;
+  forEachVectorFrom (tile * PlaneSamples::tile_size, [&] (std::size_t i) {
     const V distance = hn::Add (
         dot (plane, {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])}),
         set (plane.d));
@@ -116,7 +120,7 @@ claimTileHere (const PlaneSamples& samples,
     hn::StoreU (
         hn::IfThenElseZero (on, load (&samples.weight[i])), Floats(), claimed + i);
     number += hn::CountTrue (Floats(), on);
-  }
+  });
   return static_cast<std::uint8_t> (number);
 }
 
@@ -174,9 +178,7 @@ compatibleSamplesHere (const PlaneSamples& samples,
                        float enough)
 {
   unsigned bits = 0;
-  for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
-       lane += hn::Lanes (Floats())) {
-    const std::size_t i = begin + lane;
+  forEachVectorFrom (begin, [&] (std::size_t i) {
     const V cosine = dot (plane,
                           {load (&samples.normal_x[i]),
                            load (&samples.normal_y[i]),
@@ -185,8 +187,8 @@ compatibleSamplesHere (const PlaneSamples& samples,
                                 hn::Min (load (&samples.min_cosine[i]), set (enough)));
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits (Floats(), agrees, bytes);
-    bits |= (bytes[0] | static_cast<unsigned> (bytes[1]) << 8) << lane;
-  }
+    bits |= (bytes[0] | static_cast<unsigned> (bytes[1]) << 8) << (i - begin);
+  });
   return static_cast<std::uint16_t> (bits);
 }
 

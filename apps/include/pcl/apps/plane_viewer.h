@@ -95,7 +95,7 @@ private:
   void
   switchCorrection ();
 
-  /** \brief The same frame, after options_ changed. */
+  /** \brief The same frame, after the resolution or the correction changed. */
   void
   computeAgain ();
 

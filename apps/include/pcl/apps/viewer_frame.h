@@ -17,8 +17,7 @@ namespace rgbd_planes {
 /** \brief Everything that pcl_plane_viewer shows of a frame. */
 class ViewerFrame {
 public:
-  /** \param[in] camera_to_base see SegmenterOptions::camera_to_base */
-  /** \param[in] camera_to_base see SegmenterOptions
+  /** \param[in] camera_to_base see SegmenterOptions::camera_to_base
    * \param[in] corrected how points are corrected, of a frame or with a file; nothing leaves
    * them as measured
    */
