@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "plane_kernels.h"
+#include "tile_bits.h"
 
 #include <pcl/segmentation/plane_assignment.h>
 #include <pcl/segmentation/plane_growth.h>
@@ -18,26 +19,6 @@ namespace {
 /** Normals at creases may be off by 35 degrees, where their estimator averages over them.
  */
 constexpr float max_min_cosine = 0.82f;
-
-/** The bits of the samples of a tile and of those beside them. */
-std::uint16_t
-dilate (std::uint16_t samples)
-{
-  constexpr unsigned not_last = 0x7777, not_first = 0xeeee;
-  unsigned bits = samples;
-  bits |= (bits & not_last) << 1 | (bits & not_first) >> 1;
-  bits |= bits << PlaneSamples::tile_side | bits >> PlaneSamples::tile_side;
-  return static_cast<std::uint16_t> (bits);
-}
-
-std::uint16_t
-curvedSamples (const std::int32_t* owners)
-{
-  unsigned bits = 0;
-  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
-    bits |= static_cast<unsigned> (owners[k] == PlaneGrowth::curved_surface) << k;
-  return static_cast<std::uint16_t> (bits);
-}
 
 } // namespace
 
@@ -131,7 +112,9 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
   });
   if (first == candidates_.size())
     return;
-  const std::uint16_t curved = curvedSamples (&owners[begin]);
+  const std::uint16_t curved = samplesWhere (&owners[begin], [] (std::int32_t owner) {
+    return owner == PlaneGrowth::curved_surface;
+  });
   for (std::size_t k = first; k < candidates_.size(); ++k)
     candidates_[k].compatible =
         static_cast<std::uint16_t> (candidates_[k].compatible & ~curved);

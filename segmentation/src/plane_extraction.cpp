@@ -21,6 +21,9 @@ constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 1.15f;
+/** The mean square of the errors of points on a curved surface, in standard deviations, is
+ * larger. */
+constexpr double min_squared_error = 0.5;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
@@ -164,6 +167,19 @@ PlaneExtraction::joinParts()
   for (std::int32_t& owner : owners_)
     if (owner >= 0)
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+  if (parameters_.additions.patches)
+    patches_.find (samples_, owners_, planes_, parameters_.noise, max_sigmas_);
+}
+
+/** Whether the plane is part of a curved surface, and the points that it got in the end are
+ * not those of a flat one. */
+bool
+PlaneExtraction::isCurvedPatch (std::size_t plane) const
+{
+  const PlaneMoments& points = assignment_.weightedMoments()[plane];
+  return parameters_.additions.patches && patches_.isPatch (plane) &&
+         points.squaredErrors (points.inverseDistance()) >
+             min_squared_error * static_cast<double> (points.points);
 }
 
 /** Drops planes with too few points, sorts the others, and fits them. */
@@ -174,12 +190,15 @@ PlaneExtraction::finish (std::size_t width)
   order_.resize (sums.size());
   std::iota (order_.begin(), order_.end(), 0u);
   const std::size_t min_points = std::max<std::size_t> (parameters_.min_inliers, 3);
-  order_.erase (
-      std::remove_if (order_.begin(),
-                      order_.end(),
-                      [&] (std::uint32_t k) { return sums[k].points < min_points; }),
-      order_.end());
-  rejections_.too_few_points += sums.size() - order_.size();
+  const auto dropWhere = [&] (const auto& is_dropped) {
+    const auto end = std::remove_if (order_.begin(), order_.end(), is_dropped);
+    const auto dropped = static_cast<std::size_t> (order_.end() - end);
+    order_.erase (end, order_.end());
+    return dropped;
+  };
+  rejections_.too_few_points +=
+      dropWhere ([&] (std::uint32_t k) { return sums[k].points < min_points; });
+  rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isCurvedPatch (k); });
   std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {
     return sums[a].points != sums[b].points ? sums[a].points > sums[b].points : a < b;
   });

@@ -2,11 +2,9 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "plane_kernels.h"
+#include "surface_turn.h"
 
 #include <pcl/segmentation/plane_growth.h>
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +28,7 @@ constexpr float min_start_cosine = 0.8f;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
  * per metre on the surface, where they turn noticeably. */
-constexpr double max_turn = 0.12, max_turn_per_metre = 0.012, max_bend = 3.,
+constexpr double max_turn = 0.15, max_turn_per_metre = 0.012, max_bend = 3.,
                  min_bent_turn = 0.08;
 
 } // namespace
@@ -210,8 +208,6 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
   return moments;
 }
 
-/** Fits the normals, seen along two directions in the plane, as linear functions of the
- * place in these directions. */
 bool
 PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
 {
@@ -223,32 +219,9 @@ PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
               claimed_.data(),
               {reference_[0], reference_[1], reference_[2]},
               sums);
-  const double weight = sums[0];
-  if (!(weight > 0.))
-    return false;
-  const Eigen::Vector3d place = Eigen::Vector3d (sums[1], sums[2], sums[3]) / weight;
-  const Eigen::Vector3d normal =
-      Eigen::Vector3d (sums[10], sums[11], sums[12]) / weight;
-  Eigen::Matrix3d places, normals;
-  places << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8],
-      sums[9];
-  normals << sums[13], sums[14], sums[15], sums[16], sums[17], sums[18], sums[19],
-      sums[20], sums[21];
-  const Eigen::Vector3d n = plane.normal.cast<double>();
-  Eigen::Matrix<double, 2, 3> directions;
-  directions.row (0) = n.unitOrthogonal();
-  directions.row (1) = n.cross (n.unitOrthogonal());
-  const Eigen::Matrix2d spread = directions *
-                                 (places / weight - place * place.transpose()) *
-                                 directions.transpose();
-  const Eigen::Matrix2d turning = directions *
-                                  (normals / weight - normal * place.transpose()) *
-                                  directions.transpose();
-  const Eigen::Matrix2d bend =
-      turning * (spread + 1e-9 * Eigen::Matrix2d::Identity()).inverse();
-  const double turn = std::sqrt ((bend * spread * bend.transpose()).trace());
-  return turn > max_turn + max_turn_per_metre * reference_.norm() ||
-         (bend.norm() > max_bend && turn > min_bent_turn);
+  const SurfaceTurn turn = turnOf (sums, plane.normal);
+  return turn.over_all > max_turn + max_turn_per_metre * reference_.norm() ||
+         (turn.per_metre > max_bend && turn.over_all > min_bent_turn);
 }
 
 void

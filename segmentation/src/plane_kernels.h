@@ -79,6 +79,22 @@ compatibleSamples (const PlaneSamples& samples,
                    const PlaneEquation& plane,
                    float enough);
 
+/** For each sample of a tile, a bit: it lies near a plane; its normal is nearly that of the
+ * plane. */
+struct SamplesAtPlane {
+  std::uint16_t near = 0, along = 0;
+};
+
+/** Looks at the tile that begins with sample \a begin, at the free samples and at the others.
+ */
+SamplesAtPlane
+samplesAtPlane (const PlaneSamples& samples,
+                std::size_t begin,
+                const PlaneEquation& plane,
+                const DepthNoise& noise,
+                float max_sigmas,
+                float least_cosine);
+
 /** A plane that the points of a tile may lie on. */
 struct TilePlane {
   std::uint32_t number = 0;

@@ -46,6 +46,14 @@ relativePoints (const PlaneSamples& samples,
           hn::Sub (load (&samples.z[i]), set (static_cast<float> (reference[2])))};
 }
 
+HWY_INLINE unsigned
+bitsOf (Mask mask)
+{
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits (Floats(), mask, bytes);
+  return bytes[0] | static_cast<unsigned> (bytes[1]) << 8;
+}
+
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
  * each metre, as depth noise tilts far normals. */
 constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, largest_angle = 60.f;
@@ -185,11 +193,38 @@ compatibleSamplesHere (const PlaneSamples& samples,
                            load (&samples.normal_z[i])});
     const Mask agrees = hn::Ge (hn::Abs (cosine),
                                 hn::Min (load (&samples.min_cosine[i]), set (enough)));
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits (Floats(), agrees, bytes);
-    bits |= (bytes[0] | static_cast<unsigned> (bytes[1]) << 8) << (i - begin);
+    bits |= bitsOf (agrees) << (i - begin);
   });
   return static_cast<std::uint16_t> (bits);
+}
+
+SamplesAtPlane
+samplesAtPlaneHere (const PlaneSamples& samples,
+                    std::size_t begin,
+                    const PlaneEquation& plane,
+                    const DepthNoise& noise,
+                    float max_sigmas,
+                    float least_cosine)
+{
+  unsigned near = 0, along = 0;
+  forEachVectorFrom (begin, [&] (std::size_t i) {
+    const Points p{load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])};
+    const V distance = hn::Abs (hn::Add (dot (plane, p), set (plane.d)));
+    const V squared_range = squaredLength (p);
+    const V range = hn::Sqrt (squared_range);
+    const V towards = hn::Max (set (plane.d), hn::Mul (range, set (min_view_cosine)));
+    const V reach =
+        hn::Mul (hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range)), towards);
+    const V cosine = dot (plane,
+                          {load (&samples.normal_x[i]),
+                           load (&samples.normal_y[i]),
+                           load (&samples.normal_z[i])});
+    near |= bitsOf (hn::And (hn::Gt (squared_range, set (min_squared_range)),
+                             hn::Le (hn::Mul (distance, range), reach)))
+            << (i - begin);
+    along |= bitsOf (hn::Ge (hn::Abs (cosine), set (least_cosine))) << (i - begin);
+  });
+  return {static_cast<std::uint16_t> (near), static_cast<std::uint16_t> (along)};
 }
 
 } // namespace HWY_NAMESPACE
@@ -206,6 +241,7 @@ HWY_EXPORT (claimTileHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (sumNormalsHere);
 HWY_EXPORT (compatibleSamplesHere);
+HWY_EXPORT (samplesAtPlaneHere);
 
 void
 fillUncertainties (PlaneSamples& samples, const DepthNoise& noise)
@@ -251,6 +287,18 @@ compatibleSamples (const PlaneSamples& samples,
                    float enough)
 {
   return HWY_DYNAMIC_DISPATCH (compatibleSamplesHere) (samples, begin, plane, enough);
+}
+
+SamplesAtPlane
+samplesAtPlane (const PlaneSamples& samples,
+                std::size_t begin,
+                const PlaneEquation& plane,
+                const DepthNoise& noise,
+                float max_sigmas,
+                float least_cosine)
+{
+  return HWY_DYNAMIC_DISPATCH (samplesAtPlaneHere) (
+      samples, begin, plane, noise, max_sigmas, least_cosine);
 }
 
 } // namespace rgbd_planes

@@ -175,7 +175,7 @@ TEST (PlaneAdditions, CurvedCandidatesAreRefused)
   const PlaneExtraction with = extract (cloud, normals, additions);
   EXPECT_GE (with.rejections().curved, 1u);
   EXPECT_LE (labelled (with), 0.2);
-  additions.curved = false;
+  additions.curved = additions.patches = false;
   const PlaneExtraction without = extract (cloud, normals, additions);
   EXPECT_EQ (without.rejections().curved, 0u);
   EXPECT_GE (labelled (without), 0.8);

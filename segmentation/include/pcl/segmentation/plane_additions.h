@@ -30,6 +30,8 @@ struct PlaneAdditions {
   bool repeat = true;
   /** Candidates on the same plane are joined. */
   bool joining = true;
+  /** Planes beside which a surface goes on, and turns, are dropped. */
+  bool patches = true;
   /** Each point gets the nearest plane of those around it; without, that of the
    * sample in its cell. */
   bool assignment = true;

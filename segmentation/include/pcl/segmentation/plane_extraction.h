@@ -6,6 +6,7 @@
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/curved_patches.h>
 #include <pcl/segmentation/distance_space_clusters.h>
 #include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/normal_space_clusters.h>
@@ -46,7 +47,8 @@ struct PlaneExtractionParameters {
 struct PlaneRejections {
   /** The plane had too few points. */
   std::size_t too_few_points = 0;
-  /** The normals turn with the place: a part of a curved surface. */
+  /** The normals turn with the place, on the candidate or around it: a part of a curved
+   * surface. */
   std::size_t curved = 0;
   /** Planes that were found before had taken the points. */
   std::size_t claimed_by_larger = 0;
@@ -141,6 +143,9 @@ private:
   void
   assign (const OrganizedPoints& points, const std::vector<std::uint8_t>& selected);
 
+  bool
+  isCurvedPatch (std::size_t plane) const;
+
   void
   finish (std::size_t width);
 
@@ -152,6 +157,7 @@ private:
   SampleComponents components_;
   PlaneGrowth growth_;
   PlaneJoining joining_;
+  CurvedPatches patches_;
   PlaneAssignment assignment_;
   std::vector<std::int32_t> owners_;
   std::vector<Plane> planes_;

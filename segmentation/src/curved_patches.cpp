@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_kernels.h"
+#include "surface_turn.h"
+#include "tile_bits.h"
+
+#include <pcl/segmentation/curved_patches.h>
+
+#include <algorithm>
+#include <bitset>
+#include <utility>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** A surface goes on up to so many times as far from the plane as its points may lie, and
+ * where its normals are less than 45 degrees off that of the plane. */
+constexpr float reach = 3.f, least_cosine = 0.7071f;
+/** Beside a patch it does so on at least this share of the samples... */
+constexpr double min_continued = 0.3;
+/** ... and turns at least this much, and this much per metre, in radians: less is the error
+ * of depth on a far wall... */
+constexpr double min_turn = 0.08, min_turn_per_metre = 0.8;
+/** ... of which the patch turns this share per metre: what lies between creases does not. */
+constexpr double min_own_share = 0.35;
+
+std::size_t
+count (unsigned samples)
+{
+  return std::bitset<PlaneSamples::tile_size> (samples).count();
+}
+
+} // namespace
+
+void
+CurvedPatches::find (const PlaneSamples& samples,
+                     const std::vector<std::int32_t>& owners,
+                     const std::vector<Plane>& planes,
+                     const DepthNoise& noise,
+                     float max_sigmas)
+{
+  findParts (owners, planes.size());
+  for (const Part& part : parts_) {
+    const unsigned beside = dilate (part.own) & ~part.own & 0xffffu;
+    if (beside == 0)
+      continue;
+    const std::size_t begin = part.tile * PlaneSamples::tile_size;
+    const unsigned free =
+        samplesWhere (&owners[begin], [] (std::int32_t owner) { return owner < 0; });
+    const SamplesAtPlane at = samplesAtPlane (samples,
+                                              begin,
+                                              equationOf (planes[part.plane]),
+                                              noise,
+                                              reach * max_sigmas,
+                                              least_cosine);
+    Border& border = borders_[part.plane];
+    border.samples += count (beside);
+    border.continued += count (beside & at.near & (free | at.along));
+  }
+  is_patch_.resize (planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    is_patch_[k] =
+        isPatch (samples, static_cast<std::uint32_t> (k), planes[k], noise, max_sigmas);
+}
+
+/** Lists what each plane has in each tile, and sets all borders to nothing. */
+void
+CurvedPatches::findParts (const std::vector<std::int32_t>& owners, std::size_t planes)
+{
+  parts_.clear();
+  borders_.assign (planes, {});
+  for (std::size_t begin = 0; begin < owners.size(); begin += PlaneSamples::tile_size) {
+    const std::int32_t* tile = &owners[begin];
+    unsigned rest = 0xffff;
+    for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k) {
+      if (tile[k] < 0 || !(rest >> k & 1u))
+        continue;
+      const std::uint16_t own =
+          samplesWhere (tile, [&] (std::int32_t owner) { return owner == tile[k]; });
+      rest &= ~static_cast<unsigned> (own);
+      parts_.push_back ({static_cast<std::uint32_t> (tile[k]),
+                         static_cast<std::uint32_t> (begin / PlaneSamples::tile_size),
+                         own});
+      if (rest == 0)
+        break;
+    }
+  }
+}
+
+/** Whether the surface goes on beside the plane, and turns on both together. */
+bool
+CurvedPatches::isPatch (const PlaneSamples& samples,
+                        std::uint32_t number,
+                        const Plane& plane,
+                        const DepthNoise& noise,
+                        float max_sigmas)
+{
+  const Border& border = borders_[number];
+  if (static_cast<double> (border.continued) <
+      std::max (min_continued * static_cast<double> (border.samples), 1.))
+    return false;
+  findTiles (samples, number);
+  const Eigen::Vector3d reference =
+      samples.measuredPoint (tiles_.front()).cast<double>();
+  const auto turnWhere = [&] (const auto& samplesOf) {
+    for (const std::uint32_t tile : tiles_) {
+      const unsigned on = samplesOf (tile);
+      const std::size_t begin = tile * PlaneSamples::tile_size;
+      for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
+        weights_[begin + k] = on >> k & 1u ? samples.weight[begin + k] : 0.f;
+    }
+    double sums[22];
+    sumNormals (samples,
+                tiles_,
+                weights_.data(),
+                {reference[0], reference[1], reference[2]},
+                sums);
+    return turnOf (sums, plane.normal);
+  };
+  const SurfaceTurn all = turnWhere ([&] (std::uint32_t tile) -> unsigned {
+    const SamplesAtPlane at = samplesAtPlane (samples,
+                                              tile * PlaneSamples::tile_size,
+                                              equationOf (plane),
+                                              noise,
+                                              reach * max_sigmas,
+                                              least_cosine);
+    return own_[tile] | (at.near & at.along);
+  });
+  if (!(all.over_all > min_turn && all.per_metre > min_turn_per_metre))
+    return false;
+  const SurfaceTurn own =
+      turnWhere ([&] (std::uint32_t tile) -> unsigned { return own_[tile]; });
+  return own.per_metre > min_own_share * all.per_metre;
+}
+
+/** The tiles of a plane, what it has in them, and the tiles around. */
+void
+CurvedPatches::findTiles (const PlaneSamples& samples, std::uint32_t plane)
+{
+  weights_.resize (samples.size());
+  own_.assign (samples.tiles(), 0);
+  is_listed_.assign (samples.tiles(), 0);
+  tiles_.clear();
+  const auto list = [this] (std::uint32_t tile) {
+    if (!std::exchange (is_listed_[tile], std::uint8_t{1}))
+      tiles_.push_back (tile);
+  };
+  for (const Part& part : parts_)
+    if (part.plane == plane) {
+      own_[part.tile] = part.own;
+      list (part.tile);
+      samples.forEachTileAround (part.tile, list);
+    }
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

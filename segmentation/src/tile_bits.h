@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/segmentation/plane_samples.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl {
+namespace rgbd_planes {
+
+// Sets of the samples of a tile, a bit for each.
+
+/** The samples for whose owner \a is_one (owner) is true. */
+template <typename IsOne>
+std::uint16_t
+samplesWhere (const std::int32_t* owners, const IsOne& is_one)
+{
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
+    bits |= static_cast<unsigned> (is_one (owners[k])) << k;
+  return static_cast<std::uint16_t> (bits);
+}
+
+/** \a samples and those beside them. */
+inline std::uint16_t
+dilate (std::uint16_t samples)
+{
+  constexpr unsigned not_last = 0x7777, not_first = 0xeeee;
+  unsigned bits = samples;
+  bits |= (bits & not_last) << 1 | (bits & not_first) >> 1;
+  bits |= bits << PlaneSamples::tile_side | bits >> PlaneSamples::tile_side;
+  return static_cast<std::uint16_t> (bits);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_clouds.h"
+
+#include <pcl/features/impl/organized_cloud_view.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace plane_clouds;
+using pcl::rgbd_planes::PlaneExtraction;
+
+namespace {
+
+/** What is found with the noise of a Kinect and estimated normals. */
+PlaneExtraction
+extract (const Cloud::ConstPtr& cloud, bool drop_patches)
+{
+  pcl::rgbd_planes::PlaneExtractionParameters parameters;
+  parameters.additions.patches = drop_patches;
+  const auto normals = estimateNormals (cloud);
+  PlaneExtraction extraction;
+  extraction.compute (pcl::rgbd_planes::viewPoints (*cloud),
+                      {&normals->front().normal_x,
+                       &normals->front().curvature,
+                       sizeof (pcl::Normal) / sizeof (float)},
+                      {},
+                      parameters);
+  return extraction;
+}
+
+std::size_t
+numberOfPlanes (const std::vector<Surface>& surfaces, bool drop_patches)
+{
+  return extract (render (surfaces, 640, 480, kinectSigma).cloud, drop_patches)
+      .planes()
+      .size();
+}
+
+/** A surface whose depth is \a depth (x, y) at x, y on the plane z = 1, seen from column
+ * u0 to u1, with the noise of a Kinect. */
+template <typename Depth>
+Cloud::Ptr
+relief (const Depth& depth, int u0, int u1)
+{
+  std::mt19937 generator (1);
+  std::normal_distribution<float> gauss;
+  auto cloud = pcl::make_shared<Cloud> (640, 480);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u) {
+      const float x = (static_cast<float> (u) - 319.5f) / 525.f,
+                  y = (static_cast<float> (v) - 239.5f) / 525.f;
+      const float true_z = u >= u0 && u < u1 ? depth (x, y) : synthetic::nan;
+      const float z = true_z + kinectSigma (true_z) * gauss (generator);
+      (*cloud) (u, v) = {x * z, y * z, z};
+    }
+  return cloud;
+}
+
+/** Walls that meet at \a degrees: one that faces the camera, \a half columns wide to both sides,
+ * and one on each side. */
+std::vector<Surface>
+foldedWall (float depth, int half, float degrees)
+{
+  const float x = static_cast<float> (half) / 525.f * depth,
+              angle = pcl::deg2rad (degrees);
+  const auto wall = [&] (float side, const std::function<bool (int, int)>& covers) {
+    const Eigen::Vector3f normal (
+        -side * std::sin (angle), 0.f, side == 0.f ? -1.f : -std::cos (angle));
+    return Surface{
+        normal, -normal.dot (Eigen::Vector3f (side * x, 0.f, depth)), covers};
+  };
+  return {wall (-1.f, [=] (int u, int) { return u < 320 - half; }),
+          wall (0.f, [=] (int u, int) { return u >= 320 - half && u < 320 + half; }),
+          wall (1.f, [=] (int u, int) { return u >= 320 + half; })};
+}
+
+} // namespace
+
+TEST (CurvedPatches, PartsOfABallAreNoPlanes)
+{
+  const auto ball = relief (
+      [] (float x, float y) { return 1.2f + 1.5f * (x * x + y * y); }, 160, 480);
+  const auto labelled = [] (const PlaneExtraction& extraction) {
+    const auto& labels = extraction.labels();
+    return labels.size() -
+           static_cast<std::size_t> (
+               std::count (labels.begin(), labels.end(), pcl::rgbd_planes::unlabelled));
+  };
+  const PlaneExtraction without = extract (ball, false), with = extract (ball, true);
+  EXPECT_GE (labelled (without), ball->size() / 4);
+  EXPECT_LE (labelled (with), ball->size() / 20);
+  EXPECT_EQ (with.rejections().curved + with.planes().size(),
+             without.rejections().curved + without.planes().size());
+}
+
+TEST (CurvedPatches, FacesBetweenCreasesAreNone)
+{
+  for (const float degrees : {-60.f, -40.f, -30.f, 30.f, 40.f, 60.f})
+    for (const int half : {60, 120})
+      EXPECT_EQ (numberOfPlanes (foldedWall (1.5f, half, degrees), true), 3u)
+          << degrees << " degrees, " << half;
+}
+
+TEST (CurvedPatches, AStepBesideAPlaneIsNone)
+{
+  const std::vector<Surface> jamb{
+      {{0.f, 0.f, -1.f}, 2.f, [] (int u, int) { return u < 400; }},
+      {{0.f, 0.f, -1.f}, 2.05f, [] (int u, int) { return u >= 400; }}};
+  EXPECT_EQ (numberOfPlanes (jamb, true), 2u);
+}
+
+TEST (CurvedPatches, AFarWallThatDepthBendsIsNone)
+{
+  // A radius of 10 m, about the error of depth of a Kinect at 4 m.
+  const auto wall =
+      relief ([] (float x, float y) { return 4.f + 0.8f * (x * x + y * y); }, 0, 640);
+  const std::size_t planes = extract (wall, false).planes().size();
+  EXPECT_GE (planes, 1u);
+  EXPECT_EQ (extract (wall, true).planes().size(), planes);
+}
