@@ -20,10 +20,10 @@ namespace {
  * where its normals are less than 45 degrees off that of the plane. */
 constexpr float reach = 3.f, least_cosine = 0.7071f;
 /** Beside a patch it does so on at least this share of the samples... */
-constexpr double min_continued = 0.3;
+constexpr double min_continued = 0.4;
 /** ... and turns at least this much, and this much per metre, in radians: less is the error
  * of depth on a far wall... */
-constexpr double min_turn = 0.08, min_turn_per_metre = 0.8;
+constexpr double min_turn = 0.1, min_turn_per_metre = 0.8;
 /** ... of which the patch turns this share per metre: what lies between creases does not. */
 constexpr double min_own_share = 0.35;
 
