@@ -92,7 +92,7 @@ TEST (CurvedPatches, PartsOfABallAreNoPlanes)
   };
   const PlaneExtraction without = extract (ball, false), with = extract (ball, true);
   EXPECT_GE (labelled (without), ball->size() / 4);
-  EXPECT_LE (labelled (with), ball->size() / 20);
+  EXPECT_LE (labelled (with), labelled (without) / 4);
   EXPECT_EQ (with.rejections().curved + with.planes().size(),
              without.rejections().curved + without.planes().size());
 }
