@@ -33,6 +33,22 @@ count (unsigned samples)
   return std::bitset<PlaneSamples::tile_size> (samples).count();
 }
 
+/** What of a tile hangs together with a plane, as the surface that goes on from it. */
+SamplesAtPlane
+lookBeside (const PlaneSamples& samples,
+            std::size_t tile,
+            const Plane& plane,
+            const DepthNoise& noise,
+            float max_sigmas)
+{
+  return samplesAtPlane (samples,
+                         tile * PlaneSamples::tile_size,
+                         equationOf (plane),
+                         noise,
+                         reach * max_sigmas,
+                         least_cosine);
+}
+
 } // namespace
 
 void
@@ -47,23 +63,18 @@ CurvedPatches::find (const PlaneSamples& samples,
     const unsigned beside = dilate (part.own) & ~part.own & 0xffffu;
     if (beside == 0)
       continue;
-    const std::size_t begin = part.tile * PlaneSamples::tile_size;
-    const unsigned free =
-        samplesWhere (&owners[begin], [] (std::int32_t owner) { return owner < 0; });
-    const SamplesAtPlane at = samplesAtPlane (samples,
-                                              begin,
-                                              equationOf (planes[part.plane]),
-                                              noise,
-                                              reach * max_sigmas,
-                                              least_cosine);
+    const unsigned free = samplesWhere (&owners[part.tile * PlaneSamples::tile_size],
+                                        [] (std::int32_t owner) { return owner < 0; });
+    const SamplesAtPlane at =
+        lookBeside (samples, part.tile, planes[part.plane], noise, max_sigmas);
     Border& border = borders_[part.plane];
     border.samples += count (beside);
     border.continued += count (beside & at.near & (free | at.along));
   }
   is_patch_.resize (planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k)
-    is_patch_[k] =
-        isPatch (samples, static_cast<std::uint32_t> (k), planes[k], noise, max_sigmas);
+    is_patch_[k] = goesOnAndTurns (
+        samples, static_cast<std::uint32_t> (k), planes[k], noise, max_sigmas);
 }
 
 /** Lists what each plane has in each tile, and sets all borders to nothing. */
@@ -92,11 +103,11 @@ CurvedPatches::findParts (const std::vector<std::int32_t>& owners, std::size_t p
 
 /** Whether the surface goes on beside the plane, and turns on both together. */
 bool
-CurvedPatches::isPatch (const PlaneSamples& samples,
-                        std::uint32_t number,
-                        const Plane& plane,
-                        const DepthNoise& noise,
-                        float max_sigmas)
+CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
+                               std::uint32_t number,
+                               const Plane& plane,
+                               const DepthNoise& noise,
+                               float max_sigmas)
 {
   const Border& border = borders_[number];
   if (static_cast<double> (border.continued) <
@@ -121,12 +132,7 @@ CurvedPatches::isPatch (const PlaneSamples& samples,
     return turnOf (sums, plane.normal);
   };
   const SurfaceTurn all = turnWhere ([&] (std::uint32_t tile) -> unsigned {
-    const SamplesAtPlane at = samplesAtPlane (samples,
-                                              tile * PlaneSamples::tile_size,
-                                              equationOf (plane),
-                                              noise,
-                                              reach * max_sigmas,
-                                              least_cosine);
+    const SamplesAtPlane at = lookBeside (samples, tile, plane, noise, max_sigmas);
     return own_[tile] | (at.near & at.along);
   });
   if (!(all.over_all > min_turn && all.per_metre > min_turn_per_metre))

@@ -37,13 +37,28 @@ forEachVector (const std::vector<std::uint32_t>& tiles, const Body& body)
 }
 
 HWY_INLINE Points
+pointsAt (const PlaneSamples& samples, std::size_t i)
+{
+  return {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])};
+}
+
+HWY_INLINE Points
+normalsAt (const PlaneSamples& samples, std::size_t i)
+{
+  return {load (&samples.normal_x[i]),
+          load (&samples.normal_y[i]),
+          load (&samples.normal_z[i])};
+}
+
+HWY_INLINE Points
 relativePoints (const PlaneSamples& samples,
                 std::size_t i,
                 const double (&reference)[3])
 {
-  return {hn::Sub (load (&samples.x[i]), set (static_cast<float> (reference[0]))),
-          hn::Sub (load (&samples.y[i]), set (static_cast<float> (reference[1]))),
-          hn::Sub (load (&samples.z[i]), set (static_cast<float> (reference[2])))};
+  return difference (pointsAt (samples, i),
+                     {set (static_cast<float> (reference[0])),
+                      set (static_cast<float> (reference[1])),
+                      set (static_cast<float> (reference[2]))});
 }
 
 HWY_INLINE unsigned
@@ -79,11 +94,8 @@ fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
 {
   const V none = set (-1.f);
   for (std::size_t i = 0; i < samples.size(); i += hn::Lanes (Floats())) {
-    const V squared_range = squaredLength (
-        {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])});
-    const V squared_normal = squaredLength ({load (&samples.normal_x[i]),
-                                             load (&samples.normal_y[i]),
-                                             load (&samples.normal_z[i])});
+    const V squared_range = squaredLength (pointsAt (samples, i));
+    const V squared_normal = squaredLength (normalsAt (samples, i));
     const Mask measured = hn::Gt (squared_range, hn::Zero (Floats()));
     const V range = hn::Sqrt (squared_range);
     const V sigma = sigmaOf (noise, squared_range);
@@ -113,13 +125,8 @@ claimTileHere (const PlaneSamples& samples,
 {
   std::size_t number = 0;
   forEachVectorFrom (tile * PlaneSamples::tile_size, [&] (std::size_t i) {
-    const V distance = hn::Add (
-        dot (plane, {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])}),
-        set (plane.d));
-    const V cosine = dot (plane,
-                          {load (&samples.normal_x[i]),
-                           load (&samples.normal_y[i]),
-                           load (&samples.normal_z[i])});
+    const V distance = hn::Add (dot (plane, pointsAt (samples, i)), set (plane.d));
+    const V cosine = dot (plane, normalsAt (samples, i));
     const V reach = hn::Max (hn::Mul (load (&samples.relative_sigma[i]), set (plane.d)),
                              hn::Mul (load (&samples.sigma[i]), set (min_view_cosine)));
     const Mask on =
@@ -163,9 +170,8 @@ sumNormalsHere (const PlaneSamples& samples,
                             load (claimed + i));
     const Points p = relativePoints (samples, i, reference);
     all.add (p, weight);
-    const V components[3] = {load (&samples.normal_x[i]),
-                             load (&samples.normal_y[i]),
-                             load (&samples.normal_z[i])};
+    const Points n = normalsAt (samples, i);
+    const V components[3] = {n.x, n.y, n.z};
     for (std::size_t k = 0; k < 3; ++k) {
       const V component = hn::Mul (weight, components[k]);
       normals[k] = hn::Add (normals[k], component);
@@ -187,10 +193,7 @@ compatibleSamplesHere (const PlaneSamples& samples,
 {
   unsigned bits = 0;
   forEachVectorFrom (begin, [&] (std::size_t i) {
-    const V cosine = dot (plane,
-                          {load (&samples.normal_x[i]),
-                           load (&samples.normal_y[i]),
-                           load (&samples.normal_z[i])});
+    const V cosine = dot (plane, normalsAt (samples, i));
     const Mask agrees = hn::Ge (hn::Abs (cosine),
                                 hn::Min (load (&samples.min_cosine[i]), set (enough)));
     bits |= bitsOf (agrees) << (i - begin);
@@ -208,17 +211,14 @@ samplesAtPlaneHere (const PlaneSamples& samples,
 {
   unsigned near = 0, along = 0;
   forEachVectorFrom (begin, [&] (std::size_t i) {
-    const Points p{load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])};
+    const Points p = pointsAt (samples, i);
     const V distance = hn::Abs (hn::Add (dot (plane, p), set (plane.d)));
     const V squared_range = squaredLength (p);
     const V range = hn::Sqrt (squared_range);
     const V towards = hn::Max (set (plane.d), hn::Mul (range, set (min_view_cosine)));
     const V reach =
         hn::Mul (hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range)), towards);
-    const V cosine = dot (plane,
-                          {load (&samples.normal_x[i]),
-                           load (&samples.normal_y[i]),
-                           load (&samples.normal_z[i])});
+    const V cosine = dot (plane, normalsAt (samples, i));
     near |= bitsOf (hn::And (hn::Gt (squared_range, set (min_squared_range)),
                              hn::Le (hn::Mul (distance, range), reach)))
             << (i - begin);

@@ -6,6 +6,7 @@
 #include "synthetic_clouds.h"
 
 #include <pcl/common/point_tests.h>
+#include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 
@@ -58,6 +59,24 @@ trueNormals (const Scene& scene, const std::vector<Surface>& surfaces)
       (*normals)[i].getNormalVector3fMap() =
           surfaces[static_cast<std::size_t> (scene.surface[i])].normal;
   return normals;
+}
+
+/** What is found with the noise of a Kinect. */
+inline pcl::rgbd_planes::PlaneExtraction
+extract (const Cloud& cloud,
+         const Normals& normals,
+         const pcl::rgbd_planes::PlaneAdditions& additions)
+{
+  pcl::rgbd_planes::PlaneExtractionParameters parameters;
+  parameters.additions = additions;
+  pcl::rgbd_planes::PlaneExtraction extraction;
+  extraction.compute (pcl::rgbd_planes::viewPoints (cloud),
+                      {&normals[0].normal_x,
+                       &normals[0].curvature,
+                       sizeof (pcl::Normal) / sizeof (float)},
+                      {},
+                      parameters);
+  return extraction;
 }
 
 template <typename Segmentation>

@@ -3,39 +3,30 @@
 
 #include "plane_clouds.h"
 
-#include <pcl/features/impl/organized_cloud_view.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace plane_clouds;
 using pcl::rgbd_planes::PlaneExtraction;
 
 namespace {
 
-/** What is found with the noise of a Kinect and estimated normals. */
+/** What is found with estimated normals. */
 PlaneExtraction
-extract (const Cloud::ConstPtr& cloud, bool drop_patches)
+extractWith (const Cloud::ConstPtr& cloud, bool drop_patches)
 {
-  pcl::rgbd_planes::PlaneExtractionParameters parameters;
-  parameters.additions.patches = drop_patches;
-  const auto normals = estimateNormals (cloud);
-  PlaneExtraction extraction;
-  extraction.compute (pcl::rgbd_planes::viewPoints (*cloud),
-                      {&normals->front().normal_x,
-                       &normals->front().curvature,
-                       sizeof (pcl::Normal) / sizeof (float)},
-                      {},
-                      parameters);
-  return extraction;
+  pcl::rgbd_planes::PlaneAdditions additions;
+  additions.patches = drop_patches;
+  return extract (*cloud, *estimateNormals (cloud), additions);
 }
 
 std::size_t
-numberOfPlanes (const std::vector<Surface>& surfaces, bool drop_patches)
+numberOfPlanes (const std::vector<Surface>& surfaces)
 {
-  return extract (render (surfaces, 640, 480, kinectSigma).cloud, drop_patches)
+  return extractWith (render (surfaces, 640, 480, kinectSigma).cloud, true)
       .planes()
       .size();
 }
@@ -60,11 +51,12 @@ relief (const Depth& depth, int u0, int u1)
   return cloud;
 }
 
-/** Walls that meet at \a degrees: one that faces the camera, \a half columns wide to both sides,
- * and one on each side. */
+/** Walls 1.5 m away that meet at \a degrees: one that faces the camera, \a half columns
+ * wide to both sides, and one on each side. */
 std::vector<Surface>
-foldedWall (float depth, int half, float degrees)
+foldedWall (int half, float degrees)
 {
+  constexpr float depth = 1.5f;
   const float x = static_cast<float> (half) / 525.f * depth,
               angle = pcl::deg2rad (degrees);
   const auto wall = [&] (float side, const std::function<bool (int, int)>& covers) {
@@ -90,7 +82,8 @@ TEST (CurvedPatches, PartsOfABallAreNoPlanes)
            static_cast<std::size_t> (
                std::count (labels.begin(), labels.end(), pcl::rgbd_planes::unlabelled));
   };
-  const PlaneExtraction without = extract (ball, false), with = extract (ball, true);
+  const PlaneExtraction without = extractWith (ball, false),
+                        with = extractWith (ball, true);
   EXPECT_GE (labelled (without), ball->size() / 4);
   EXPECT_LE (labelled (with), labelled (without) / 4);
   EXPECT_EQ (with.rejections().curved + with.planes().size(),
@@ -101,7 +94,7 @@ TEST (CurvedPatches, FacesBetweenCreasesAreNone)
 {
   for (const float degrees : {-60.f, -40.f, -30.f, 30.f, 40.f, 60.f})
     for (const int half : {60, 120})
-      EXPECT_EQ (numberOfPlanes (foldedWall (1.5f, half, degrees), true), 3u)
+      EXPECT_EQ (numberOfPlanes (foldedWall (half, degrees)), 3u)
           << degrees << " degrees, " << half;
 }
 
@@ -110,7 +103,7 @@ TEST (CurvedPatches, AStepBesideAPlaneIsNone)
   const std::vector<Surface> jamb{
       {{0.f, 0.f, -1.f}, 2.f, [] (int u, int) { return u < 400; }},
       {{0.f, 0.f, -1.f}, 2.05f, [] (int u, int) { return u >= 400; }}};
-  EXPECT_EQ (numberOfPlanes (jamb, true), 2u);
+  EXPECT_EQ (numberOfPlanes (jamb), 2u);
 }
 
 TEST (CurvedPatches, AFarWallThatDepthBendsIsNone)
@@ -118,7 +111,7 @@ TEST (CurvedPatches, AFarWallThatDepthBendsIsNone)
   // A radius of 10 m, about the error of depth of a Kinect at 4 m.
   const auto wall =
       relief ([] (float x, float y) { return 4.f + 0.8f * (x * x + y * y); }, 0, 640);
-  const std::size_t planes = extract (wall, false).planes().size();
+  const std::size_t planes = extractWith (wall, false).planes().size();
   EXPECT_GE (planes, 1u);
-  EXPECT_EQ (extract (wall, true).planes().size(), planes);
+  EXPECT_EQ (extractWith (wall, true).planes().size(), planes);
 }

@@ -3,8 +3,6 @@
 
 #include "plane_clouds.h"
 
-#include <pcl/features/impl/organized_cloud_view.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,20 +17,7 @@ using pcl::rgbd_planes::unlabelled;
 
 namespace {
 
-PlaneExtraction
-extract (const Cloud& cloud, const Normals& normals, const PlaneAdditions& additions)
-{
-  pcl::rgbd_planes::PlaneExtractionParameters parameters;
-  parameters.additions = additions;
-  PlaneExtraction extraction;
-  extraction.compute (pcl::rgbd_planes::viewPoints (cloud),
-                      {&normals[0].normal_x,
-                       &normals[0].curvature,
-                       sizeof (pcl::Normal) / sizeof (float)},
-                      {},
-                      parameters);
-  return extraction;
-}
+using plane_clouds::extract;
 
 PlaneExtraction
 extract (const std::vector<Surface>& surfaces, const PlaneAdditions& additions)

@@ -58,11 +58,11 @@ private:
   findParts (const std::vector<std::int32_t>& owners, std::size_t planes);
 
   bool
-  isPatch (const PlaneSamples& samples,
-           std::uint32_t number,
-           const Plane& plane,
-           const DepthNoise& noise,
-           float max_sigmas);
+  goesOnAndTurns (const PlaneSamples& samples,
+                  std::uint32_t number,
+                  const Plane& plane,
+                  const DepthNoise& noise,
+                  float max_sigmas);
 
   void
   findTiles (const PlaneSamples& samples, std::uint32_t plane);
