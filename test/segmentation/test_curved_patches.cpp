@@ -98,6 +98,20 @@ TEST (CurvedPatches, FacesBetweenCreasesAreNone)
           << degrees << " degrees, " << half;
 }
 
+TEST (CurvedPatches, AFaceThatGoesOnAtOneSideOnlyIsNone)
+{
+  for (const float degrees : {-20.f, 20.f}) {
+    const auto walls = foldedWall (60, degrees);
+    const auto part = [] (const Surface& wall) {
+      return Surface{wall.normal, wall.d, [=] (int u, int v) {
+                       return v >= 190 && v < 290 && u < 500 && wall.covers (u, v);
+                     }};
+    };
+    EXPECT_EQ (numberOfPlanes ({part (walls[1]), part (walls[2])}), 2u)
+        << degrees << " degrees";
+  }
+}
+
 TEST (CurvedPatches, AStepBesideAPlaneIsNone)
 {
   const std::vector<Surface> jamb{
