@@ -123,13 +123,18 @@ store (const Vectors& a, ChannelRow<float> row, std::size_t first, std::size_t a
   store (a.z, row[first + 2] + at);
 }
 
-/** 1 / sqrt (\a squared): an estimate and a step of Newton's method. */
+/** 1 / sqrt (\a squared): an estimate and a step of Newton's method, but for scalar
+ * estimates, which are too far off. */
 HWY_INLINE V
 reciprocalSqrt (V squared)
 {
+#if HWY_TARGET == HWY_SCALAR
+  return hn::Div (set (1.f), hn::Sqrt (squared));
+#else
   const V estimate = hn::ApproximateReciprocalSqrt (squared);
   const V half = hn::Mul (hn::Mul (squared, estimate), hn::Mul (estimate, set (-0.5f)));
   return hn::Mul (estimate, hn::Add (half, set (1.5f)));
+#endif
 }
 
 /** 1 / \a value, likewise. */

@@ -80,11 +80,11 @@ TangentRowPipeline::rowsAround() const
 void
 TangentRowPipeline::start (int begin)
 {
-  constexpr int lanes = static_cast<int> (RowRing<float>::lanes);
   padded_width_ = RowRing<float>::roundUp (grid_.width);
   const auto largest = grid_.areas[grid_.number_of_areas - 1];
   const int area = (2 * largest.half_width + 1) * (2 * largest.half_height + 1);
-  units_ = static_cast<float> (1 << 30) / static_cast<float> (area);
+  units_ =
+      std::min (static_cast<float> (1 << 30) / static_cast<float> (area), max_units);
 
   const int shift_u = std::max (grid_.diagonal.u, grid_.straight.u);
   const int shift_v = std::max (grid_.diagonal.v, grid_.straight.v);
@@ -98,7 +98,9 @@ TangentRowPipeline::start (int begin)
                  infinity);
   no_pixels_.reset (1, grid_.step * pixel_channels, padded_width_, 1, infinity);
   tangents_.reset (
-      2 * largest.half_height + 2, tangent_channels, padded_width_, margin_ + lanes, 0);
+      2 * largest.half_height + 2, tangent_channels, padded_width_, margin_, 0);
+  sums_.reset (1, sum_channels, padded_width_, 0, 0.f);
+  columns_.reset (2, tangent_channels, padded_width_, margin_, 0);
   cells_.reset (ahead + 2, cell_channels, padded_width_, 0, 0.f);
   for (auto& planes : planes_)
     planes.reset (2 * shift_v + 1, plane_channels, padded_width_, shift_u, 0.f);
@@ -154,15 +156,13 @@ TangentRowPipeline::sumUpTo (int last)
     };
     const std::array<PixelRow, 3> rows{
         {pixelRow (v), pixelRow (v + 1), pixelRow (v + grid_.step)}};
-    sumTangents (rows.data(),
-                 cells,
-                 grid_.step,
-                 sensor(),
-                 units_,
-                 static_cast<std::size_t> (margin_),
-                 tangents_[next_sum_],
-                 tangents_[next_sum_ + 1],
-                 cells_[next_sum_]);
+    sumTangents (
+        rows.data(), cells, grid_.step, sensor(), units_, sums_[0], cells_[next_sum_]);
+    addUp (sums_[0],
+           cells,
+           static_cast<std::size_t> (margin_),
+           tangents_[next_sum_],
+           tangents_[next_sum_ + 1]);
   }
 }
 
@@ -179,10 +179,11 @@ TangentRowPipeline::fitRow (int y)
     const WindowRows window{tangents_[top],
                             tangents_[(top + below) / 2],
                             tangents_[std::min (y + area.half_height, grid_.height)],
-                            tangents_[below],
-                            area.half_width};
+                            tangents_[below]};
+    const WindowColumns columns{columns_[0], columns_[1]};
     const PlaneRow fitted = i == 0 ? planes : larger_[0];
-    fitPlanes (window, cells, cellsOf (y), fitted);
+    sumColumns (window, cells + static_cast<std::size_t> (margin_), columns);
+    fitPlanes (columns, area.half_width, cells, cellsOf (y), fitted);
     if (i > 0)
       chooseLarger (parameters_->scale_selection ? 0.f : area.min_range,
                     cells,

@@ -39,7 +39,14 @@ enum PlaneChannel {
 /** The sums of horizontal and of vertical tangents. */
 constexpr int tangent_channels = 6;
 
+/** The same of the cells of one row, and what makes a number of units of them. */
+enum SumChannel { sum_scale = tangent_channels, sum_channels };
+
+/** A cell counts up to so many units. */
+constexpr float max_units = 1 << 22;
+
 using PixelRow = ChannelRow<float>;
+using SumRow = ChannelRow<float>;
 using CellRow = ChannelRow<float>;
 using PlaneRow = ChannelRow<float>;
 using TangentRow = ChannelRow<std::int32_t>;
@@ -61,7 +68,13 @@ struct WindowRows {
   TangentRow middle;
   TangentRow below_vertical;
   TangentRow below;
-  std::ptrdiff_t half_width;
+};
+
+/** The sums over all rows of a window and over those of its lower half, in all columns up
+ * to each. */
+struct WindowColumns {
+  TangentRow whole;
+  TangentRow lower;
 };
 
 /** The planes that the points of a row of cells may lie on: first those of the cells
@@ -77,24 +90,38 @@ loadPixels (const float* points,
             const SensorModel& sensor,
             PixelRow pixels);
 
-/** \brief Continues the integral images of the tangents by one row, and chooses the point of
- * each cell of several pixels. \a pixels: the step rows of the cells and the next one. The
- * sums of a cell are relative to its range, or to the longer of them if that is more, and counted
- * in units of 1 / \a units. \a margin elements behind the row are set, too. */
+/** \brief Sums the tangents of each cell, and chooses the point of each cell of several
+ * pixels. \a pixels: the step rows of the cells and the next one. The sums of a cell are
+ * relative to its range, or to the longer of them if that is more, and counted in units of
+ * 1 / \a units, which must not be more than max_units. */
 void
 sumTangents (const PixelRow* pixels,
              std::size_t cells,
              int step,
              const SensorModel& sensor,
              float units,
-             std::size_t margin,
-             TangentRow above,
-             TangentRow integral,
+             SumRow sums,
              CellRow points);
+
+/** \brief Continues the integral images by one row, and by \a margin elements behind it. */
+void
+addUp (SumRow sums,
+       std::size_t cells,
+       std::size_t margin,
+       TangentRow above,
+       TangentRow integral);
+
+/** \brief Sums the \a columns of a window of any width. */
+void
+sumColumns (const WindowRows& rows, std::size_t columns, const WindowColumns& sums);
 
 /** \brief The plane of the window around each cell, through the point of the cell. */
 void
-fitPlanes (WindowRows window, std::size_t cells, CellRow points, PlaneRow planes);
+fitPlanes (const WindowColumns& columns,
+           std::ptrdiff_t half_width,
+           std::size_t cells,
+           CellRow points,
+           PlaneRow planes);
 
 /** \brief Puts those of \a larger windows in the place of planes that are less likely, or, if
  * \a min_range is not 0, of those of points this far away. */

@@ -6,7 +6,6 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
-#include "prefix_sums-inl.h"
 #include "row_vectors-inl.h"
 #include <hwy/cache_control.h>
 
@@ -144,37 +143,25 @@ sumTangentsOf (const PixelRow* pixels,
                std::size_t cells,
                SensorModel sensor,
                float units,
-               std::size_t margin,
-               TangentRow above,
-               TangentRow integral,
+               SumRow sums,
                CellRow points)
 {
-  constexpr Ints d;
-  const std::size_t lanes = hn::Lanes (d);
-  for (std::size_t i = 0; i < cells; i += lanes) {
+  for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
     V range;
     if constexpr (step == 1)
       range = load (pixels[0][pixel_range] + i);
     else
       range = storeCellPoint (pixels, i, points);
     const auto [h, v] = cellSums<step> (pixels, i, sensor);
+    store (h, sums, 0, i);
+    store (v, sums, 3, i);
     // Next to the viewpoint, tangents can be longer than the range.
-    const V longest = hn::Sqrt (hn::Max (dot (h, h), dot (v, v)));
-    const V scale = hn::IfThenElseZero (
-        isMeasured (range),
-        hn::Mul (set (units), reciprocal (hn::Max (range, longest))));
-    const auto storeSum = [&] (V sum, std::size_t channel) HWY_ATTR {
-      hn::StoreU (hn::NearestInt (hn::Mul (sum, scale)), d, integral[channel] + i + 1);
-    };
-    storeSum (h.x, 0);
-    storeSum (h.y, 1);
-    storeSum (h.z, 2);
-    storeSum (v.x, 3);
-    storeSum (v.y, 4);
-    storeSum (v.z, 5);
+    const V squared_longest =
+        hn::Max (hn::Mul (range, range), hn::Max (dot (h, h), dot (v, v)));
+    store (hn::IfThenElseZero (isMeasured (range),
+                               hn::Div (set (units), hn::Sqrt (squared_longest))),
+           sums[sum_scale] + i);
   }
-  for (std::size_t c = 0; c < tangent_channels; ++c)
-    addUp (cells, margin, above[c] + 1, integral[c] + 1);
 }
 
 } // namespace
@@ -196,13 +183,11 @@ sumTangentsHere (const PixelRow* pixels,
                  int step,
                  const SensorModel& sensor,
                  float units,
-                 std::size_t margin,
-                 TangentRow above,
-                 TangentRow integral,
+                 SumRow sums,
                  CellRow points)
 {
   const auto sum_tangents = step == 1 ? &sumTangentsOf<1> : &sumTangentsOf<2>;
-  sum_tangents (pixels, cells, sensor, units, margin, above, integral, points);
+  sum_tangents (pixels, cells, sensor, units, sums, points);
 }
 
 } // namespace HWY_NAMESPACE
@@ -233,13 +218,11 @@ sumTangents (const PixelRow* pixels,
              int step,
              const SensorModel& sensor,
              float units,
-             std::size_t margin,
-             TangentRow above,
-             TangentRow integral,
+             SumRow sums,
              CellRow points)
 {
   HWY_DYNAMIC_DISPATCH (sumTangentsHere)
-  (pixels, cells, step, sensor, units, margin, above, integral, points);
+  (pixels, cells, step, sensor, units, sums, points);
 }
 
 } // namespace rgbd_planes

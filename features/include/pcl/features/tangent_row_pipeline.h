@@ -119,7 +119,9 @@ private:
   RowRing<float> staged_points_;
   RowRing<float> pixels_;
   RowRing<float> no_pixels_;
+  RowRing<float> sums_;
   RowRing<std::int32_t> tangents_;
+  RowRing<std::int32_t> columns_;
   RowRing<float> cells_;
   std::array<RowRing<float>, plane_stages> planes_;
   RowRing<float> no_planes_;

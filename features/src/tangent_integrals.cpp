@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tangent_integrals.cpp"
+#include "simd_targets.h"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once for each set of instructions.
+#include "row_vectors-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace rgbd_planes {
+namespace HWY_NAMESPACE {
+namespace {
+
+/** The integers nearest to \a a times \a b, of at most 23 bits with the sign: those of the
+ * mantissa once 1.5 * 2^23 is added. NearestInt looks after larger ones, and takes three times as
+ * long. */
+HWY_INLINE I
+nearestProduct (V a, V b)
+{
+  constexpr float shift = 0x1.8p23f;
+  return hn::Sub (hn::BitCast (Ints(), hn::MulAdd (a, b, set (shift))),
+                  hn::BitCast (Ints(), set (shift)));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+/** To each lane, the sum of all lanes up to it; to \a last, that of all lanes. */
+HWY_INLINE I
+prefixSums (I v, I& last)
+{
+  last = v;
+  return v;
+}
+#else
+/** To each lane in the second half of \a size lanes, the last lane of the first half. */
+template <int size>
+HWY_INLINE I
+endOfFirstHalf (I v)
+{
+  constexpr Ints d;
+  constexpr std::int32_t half = size / 2;
+  HWY_ALIGN std::int32_t from[RowRing<float>::lanes];
+  HWY_ALIGN std::int32_t is_second[RowRing<float>::lanes];
+  for (std::int32_t i = 0; i < static_cast<std::int32_t> (hn::Lanes (d)); ++i) {
+    is_second[i] = i & half ? -1 : 0;
+    from[i] = i & half ? i / half * half - 1 : 0;
+  }
+  return hn::And (hn::Load (d, is_second),
+                  hn::TableLookupLanes (v, hn::SetTableIndices (d, from)));
+}
+
+HWY_INLINE I
+prefixSums (I v, I& last)
+{
+  constexpr Ints d;
+  v = hn::Add (v, hn::ShiftLeftLanes<1> (d, v));
+  v = hn::Add (v, hn::ShiftLeftLanes<2> (d, v));
+  if constexpr (hn::MaxLanes (d) > 4)
+    v = hn::Add (v, endOfFirstHalf<8> (v));
+  if constexpr (hn::MaxLanes (d) > 8)
+    v = hn::Add (v, endOfFirstHalf<16> (v));
+  if constexpr (hn::MaxLanes (d) > 4) {
+    HWY_ALIGN std::int32_t from[RowRing<float>::lanes];
+    std::fill_n (from, hn::Lanes (d), static_cast<std::int32_t> (hn::Lanes (d)) - 1);
+    last = hn::TableLookupLanes (v, hn::SetTableIndices (d, from));
+  }
+  else {
+    last = hn::Broadcast<3> (v);
+  }
+  return v;
+}
+#endif
+
+} // namespace
+
+void
+addUpHere (SumRow sums,
+           std::size_t cells,
+           std::size_t margin,
+           TangentRow above,
+           TangentRow integral)
+{
+  constexpr Ints d;
+  for (std::size_t c = 0; c < tangent_channels; ++c) {
+    I carry = hn::Zero (d);
+    for (std::size_t i = 0; i < cells; i += hn::Lanes (d)) {
+      I last;
+      const I sum = prefixSums (
+          nearestProduct (load (sums[c] + i), load (sums[sum_scale] + i)), last);
+      hn::StoreU (hn::Add (hn::LoadU (d, above[c] + i), hn::Add (sum, carry)),
+                  d,
+                  integral[c] + i);
+      carry = hn::Add (carry, last);
+    }
+    for (std::size_t i = cells; i < cells + margin; i += hn::Lanes (d))
+      hn::StoreU (hn::Add (hn::LoadU (d, above[c] + i), carry), d, integral[c] + i);
+  }
+}
+
+void
+sumColumnsHere (const WindowRows& rows, std::size_t columns, const WindowColumns& sums)
+{
+  constexpr Ints d;
+  for (std::size_t c = 0; c < tangent_channels; ++c) {
+    const std::int32_t* top = rows.top[c];
+    const std::int32_t* middle = rows.middle[c];
+    const std::int32_t* below = (c < 3 ? rows.below : rows.below_vertical)[c];
+    for (std::size_t i = 0; i < columns; i += hn::Lanes (d)) {
+      const I sum = hn::LoadU (d, below + i);
+      hn::StoreU (hn::Sub (sum, hn::LoadU (d, top + i)), d, sums.whole[c] + i);
+      hn::StoreU (hn::Sub (sum, hn::LoadU (d, middle + i)), d, sums.lower[c] + i);
+    }
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rgbd_planes
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pcl {
+namespace rgbd_planes {
+
+HWY_EXPORT (addUpHere);
+HWY_EXPORT (sumColumnsHere);
+
+void
+addUp (SumRow sums,
+       std::size_t cells,
+       std::size_t margin,
+       TangentRow above,
+       TangentRow integral)
+{
+  HWY_DYNAMIC_DISPATCH (addUpHere) (sums, cells, margin, above, integral);
+}
+
+void
+sumColumns (const WindowRows& rows, std::size_t columns, const WindowColumns& sums)
+{
+  HWY_DYNAMIC_DISPATCH (sumColumnsHere) (rows, columns, sums);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
+#endif
