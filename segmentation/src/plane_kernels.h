@@ -97,10 +97,10 @@ samplesAtPlane (const PlaneSamples& samples,
 
 /** A plane that the points of a tile may lie on. */
 struct TilePlane {
-  std::uint32_t number = 0;
-  PlaneEquation equation{};
+  std::uint32_t number;
+  PlaneEquation equation;
   /** For each sample of the tile, a bit: its normal agrees with that of the plane. */
-  std::uint16_t compatible = 0;
+  std::uint16_t compatible;
 };
 
 /** Points in arrays of their coordinates, as many as fill vectors of

@@ -37,6 +37,13 @@ pixelAt (const OrganizedPoints& points, int column, int row)
          static_cast<std::size_t> (column);
 }
 
+/** The pixel in the middle of \a step pixels, of which the last may be missing. */
+int
+middle (int cell, int step, int pixels)
+{
+  return std::min (cell * step + step / 2, pixels - 1);
+}
+
 bool
 isUnit (const float* normal)
 {
@@ -110,16 +117,21 @@ PlaneSamples::compute (const OrganizedPoints& points,
            square <= farthest;
   };
   for (int v = 0; v < height; ++v) {
-    const std::size_t below = middlePixel (points, 0, v + 1);
+    const int row = middle (v, step, points.height);
+    const std::size_t below = pixelAt (
+        points, middle (0, step, points.width), middle (v + 1, step, points.height));
     for (int u = 0; u < width; ++u) {
       if (step > 1) { // else the processor reads ahead by itself
         const std::size_t next = below + static_cast<std::size_t> (u * step);
         hwy::Prefetch (points[next]);
         hwy::Prefetch (normals.normal + next * normals.stride);
       }
-      const std::size_t pixel = findPixel (points, u, v, isUsable);
-      if (pixel == points.size())
-        continue;
+      std::size_t pixel = pixelAt (points, middle (u, step, points.width), row);
+      if (!isUsable (pixel)) {
+        pixel = findPixel (points, u, v, isUsable);
+        if (pixel == points.size())
+          continue;
+      }
       const std::size_t i = at (u, v);
       const float* p = points[pixel];
       x[i] = p[0];
@@ -137,16 +149,7 @@ PlaneSamples::compute (const OrganizedPoints& points,
   fillUncertainties (*this, noise);
 }
 
-std::size_t
-PlaneSamples::middlePixel (const OrganizedPoints& points, int u, int v) const
-{
-  return pixelAt (points,
-                  std::min (u * step + step / 2, points.width - 1),
-                  std::min (v * step + step / 2, points.height - 1));
-}
-
-/** The pixel in the middle of a sample's cell, or else the first usable one of the cell;
- * the number of pixels if there is none. */
+/** The first usable pixel of a sample's cell; the number of pixels if there is none. */
 template <typename IsUsable>
 std::size_t
 PlaneSamples::findPixel (const OrganizedPoints& points,
@@ -154,9 +157,6 @@ PlaneSamples::findPixel (const OrganizedPoints& points,
                          int v,
                          const IsUsable& isUsable) const
 {
-  const std::size_t middle = middlePixel (points, u, v);
-  if (isUsable (middle))
-    return middle;
   for (int row = v * step; row < std::min ((v + 1) * step, points.height); ++row)
     for (int column = u * step; column < std::min ((u + 1) * step, points.width);
          ++column)

@@ -102,6 +102,8 @@ struct Sums {
 
   Sums()
   {
+    // Else they are cleared, and stay, in memory.
+#pragma GCC unroll 10
     for (V& value : values)
       value = hn::Zero (Floats());
   }
@@ -133,6 +135,7 @@ total (V value)
 HWY_INLINE void
 totals (const Sums& sums, double* results)
 {
+#pragma GCC unroll 10
   for (std::size_t k = 0; k < 10; ++k)
     results[k] = total (sums.values[k]);
 }

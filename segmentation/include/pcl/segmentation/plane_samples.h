@@ -127,9 +127,6 @@ private:
   void
   findNeighbours ();
 
-  std::size_t
-  middlePixel (const OrganizedPoints& points, int u, int v) const;
-
   template <typename IsUsable>
   std::size_t
   findPixel (const OrganizedPoints& points,
