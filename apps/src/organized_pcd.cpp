@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -94,9 +96,12 @@ declaredBytes (const std::string& header)
     if (startsWith ("FIELDS") || startsWith ("COLUMNS"))
       for (std::string name; words >> name;)
         fields += 1.;
-    for (double number; words >> number;) {
-      if (number < 0.) // which becomes a large one without a sign
-        number += 4294967296.;
+    for (std::string word; words >> word;) {
+      double number = std::strtod (word.c_str(), nullptr); // infinite if too large
+      if (number < 0.)                                     // read without a sign
+        number = 4294967296.;
+      if (std::isnan (number)) // a word, which is read as 0
+        continue;
       if (startsWith ("SIZE"))
         largest = std::max (largest, number);
       else if (startsWith ("COUNT"))

@@ -123,12 +123,12 @@ store (const Vectors& a, ChannelRow<float> row, std::size_t first, std::size_t a
   store (a.z, row[first + 2] + at);
 }
 
-/** 1 / sqrt (\a squared): an estimate and a step of Newton's method, but for scalar
- * estimates, which are too far off. */
+/** 1 / sqrt (\a squared): an estimate and a step of Newton's method; without vector
+ * instructions, where estimates are farther off, it is exact. */
 HWY_INLINE V
 reciprocalSqrt (V squared)
 {
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
   return hn::Div (set (1.f), hn::Sqrt (squared));
 #else
   const V estimate = hn::ApproximateReciprocalSqrt (squared);

@@ -166,6 +166,20 @@ TEST (OrganizedPcd, NoMemoryIsTakenForPointsThatTheFileCannotHold)
   }
 }
 
+TEST (OrganizedPcd, NoMemoryIsTakenForValuesThatTheFileCannotHold)
+{
+  const TemporaryFolder folder;
+  for (const std::string count :
+       {"2147483647", "16666666666E666", "-1e666", "nan 1e9"}) {
+    std::string huge = asciiPcd ("x y z", 2, 2, "1 1 1\n");
+    const std::size_t line = huge.find ("COUNT");
+    huge.replace (line, huge.find ('\n', line) - line, "COUNT 1 " + count + " 1");
+    writeFile (folder / "huge.pcd", huge);
+    EXPECT_NE (messageOf (folder / "huge.pcd").find ("damaged"), std::string::npos)
+        << count;
+  }
+}
+
 TEST (OrganizedPcd, ViewpointsMayBeNegativeAndFieldsWithoutSizes)
 {
   const TemporaryFolder folder;
