@@ -15,6 +15,8 @@ namespace {
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
 constexpr float off_sigmas = 3.f;
+/** The smooth error of depth bends parts of a floor by less, in the mean. */
+constexpr float part_sigmas = 1.5f;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
 
@@ -53,7 +55,7 @@ FloorPlane::find (const OrganizedPoints& points,
   });
 
   const float min_cos = std::cos (max_angle);
-  std::size_t most = 0;
+  std::size_t most = 0, floor = 0;
   found_ = false;
   coefficients_.setZero();
   for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -65,25 +67,35 @@ FloorPlane::find (const OrganizedPoints& points,
       continue;
     found_ = true;
     coefficients_ = plane;
+    floor = k;
     most = samples_[k].points;
   }
   if (found_)
-    compare (points, planes, noise);
+    compare (points, planes, noise, floor);
 }
 
 void
 FloorPlane::compare (const OrganizedPoints& points,
                      const LabelledPlanes& planes,
-                     const DepthNoise& noise)
+                     const DepthNoise& noise,
+                     std::size_t floor)
 {
-  for (std::size_t k = 0; k < samples_.size(); ++k)
-    samples_[k].is_tilted =
-        planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
   forEachSample (points, planes, noise, [&] (const float* p, std::uint32_t plane) {
     const float height = heightAbove (coefficients_, p);
     const float variance = heightVariance (p, coefficients_[3], noise);
     samples_[plane].off += height * height > off_sigmas * off_sigmas * variance;
+    samples_[plane].sigmas += height / depthSigma (p, noise);
   });
+  has_parts_ = false;
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    Samples& samples = samples_[k];
+    samples.is_tilted =
+        planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
+    samples.is_part =
+        k != floor && !samples.is_tilted &&
+        std::abs (samples.sigmas) < part_sigmas * static_cast<float> (samples.points);
+    has_parts_ = has_parts_ || samples.is_part;
+  }
 }
 
 } // namespace rgbd_planes

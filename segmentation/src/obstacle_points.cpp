@@ -18,6 +18,8 @@ constexpr int cells_in_row = 160;
 /** Where a plane that differs begins, noise alone decides which points are on it: samples
  * of it are higher than that above the floor. */
 constexpr float sample_sigmas = 1.f;
+/** The error of depth moves points of a floor by less. */
+constexpr float part_sigmas = 3.f;
 /** Of the 9 of a window. */
 constexpr float enough_samples = 6.f;
 
@@ -64,6 +66,8 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
                   row_.what.begin() + width_,
                   classes.begin() + static_cast<std::ptrdiff_t> (first),
                   [] (std::uint8_t what) { return static_cast<ObstacleClass> (what); });
+  if (frame.floor.hasParts())
+    acceptParts (frame, first, classes);
   Cell* cells = &cells_[static_cast<std::size_t> (v / cell_size_ * cells_u_)];
   if (v % cell_size_ == 0)
     sampleRow (frame, first, cells);
@@ -81,6 +85,22 @@ ObstaclePoints::finish (const ObstacleFrame& frame,
       if (cell.high > 0.f || cell.differ > 0.f)
         judgeCell (frame, u, v, classes);
     }
+}
+
+void
+ObstaclePoints::acceptParts (const ObstacleFrame& frame,
+                             std::size_t first,
+                             std::vector<ObstacleClass>& classes) const
+{
+  for (std::size_t u = 0; u < static_cast<std::size_t> (width_); ++u) {
+    ObstacleClass& result = classes[first + u];
+    if (result == ObstacleClass::unmeasured || result == ObstacleClass::floor ||
+        !frame.floor.isPart (frame.planes[first + u]))
+      continue;
+    if (std::abs (row_.height[u]) <=
+        part_sigmas * depthSigma (frame.points[first + u], parameters_.noise))
+      result = ObstacleClass::floor;
+  }
 }
 
 void
@@ -161,9 +181,10 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
   const float count = around.points;
   if (count < static_cast<float> (9 * cell_size_ * cell_size_ / 4))
     return;
-  const bool is_high = around.height / count >
-                       std::max (0.5f * parameters_.min_height,
-                                 window_sigmas * std::sqrt (around.variance / count));
+  const float mean_height = around.height / count;
+  const float limit = square (window_sigmas) * around.variance / count;
+  const bool is_high =
+      mean_height > 0.5f * parameters_.min_height && square (mean_height) > limit;
   const bool is_other = around.differ >= enough_samples;
   if (!is_high && !is_other)
     return;
@@ -178,7 +199,11 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
       const float* p = frame.points[i];
       const float height = heightAbove (floor, p);
       const float variance = heightVariance (p, floor[3], parameters_.noise);
-      if ((is_high && isHigh (height, variance, parameters_)) ||
+      const float factor = frame.floor.isPart (frame.planes[i])
+                               ? square (depthSigma (p, parameters_.noise)) / variance
+                               : 1.f;
+      if ((is_high && square (mean_height) > factor * limit &&
+           isHigh (height, factor * variance, parameters_)) ||
           (is_other && isOtherSurface (frame, i, height)))
         classes[i] = ObstacleClass::obstacle;
     }

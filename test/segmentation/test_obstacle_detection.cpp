@@ -194,6 +194,44 @@ TEST (ObstacleDetection, ARampIsAnObstacleFromItsToeOn)
   EXPECT_LT (result.obstacles[0].distance, 1.03f);
 }
 
+TEST (ObstacleDetection, APieceOfTheFloorThatTheErrorOfDepthBentIsFloor)
+{
+  const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);
+  Patch floor = floorAt (0.f);
+  floor.covers = [] (const Eigen::Vector3f& p) { return p.y() < 0.5f; };
+  // Rises by 2 degrees, to more than 4.5 standard deviations of height; falls by 2.6.
+  for (const float slope : {0.035f, -0.045f}) {
+    const Patch piece{Eigen::Vector3f (0.f, -slope, 1.f).normalized(),
+                      {0.f, 0.5f, 0.f},
+                      [] (const Eigen::Vector3f& p) { return p.y() > 0.7f; }};
+    const FloorScene scene ({floor, piece}, high, 320, kinectSigma);
+    const Result result = detect (scene);
+    EXPECT_GT (share (scene, result, 1, 1, ObstacleClass::floor), 0.998) << slope;
+  }
+}
+
+TEST (ObstacleDetection, LowObstaclesOnThePlaneOfAPieceOfTheFloorAreFound)
+{
+  const Eigen::Affine3f high = cameraPose (1.2f, 0.6f);
+  Patch floor = floorAt (0.f), piece = floor;
+  floor.covers = [] (const Eigen::Vector3f& p) { return p.x() < 3.f; };
+  piece.covers = [] (const Eigen::Vector3f& p) { return p.x() > 3.2f; };
+  const Patch top{Eigen::Vector3f::UnitZ(),
+                  {0.f, 0.f, 0.025f}, // 4 standard deviations of depth
+                  [] (const Eigen::Vector3f& p) {
+                    return p.x() > 0.9f && p.x() < 1.1f && std::abs (p.y()) < 0.1f;
+                  }};
+  FloorScene scene ({floor, piece, top}, high, 320, kinectSigma);
+  const FloorScene apart = scene;
+  scene.labels.reset (new pcl::PointCloud<pcl::Label> (*apart.labels));
+  for (auto& label : *scene.labels)
+    label.label = label.label == 2u ? 1u : label.label;
+  scene.planes.resize (2);
+  const Result result = detect (scene);
+  EXPECT_GT (share (apart, result, 2, 2, ObstacleClass::obstacle), 0.8);
+  EXPECT_GT (share (apart, result, 0, 1, ObstacleClass::floor), 0.998);
+}
+
 TEST (ObstacleDetection, ASlopeAcrossTheHeightOfTheFloorIsNoFloor)
 {
   // 17 degrees, as far above z = 0 as below.

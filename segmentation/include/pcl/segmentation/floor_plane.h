@@ -60,6 +60,13 @@ heightVariance (const float* point, float camera_height, const DepthNoise& noise
              : std::numeric_limits<float>::quiet_NaN();
 }
 
+/** \brief The standard deviation of the depth of a point. */
+inline float
+depthSigma (const float* point, const DepthNoise& noise)
+{
+  return noise.sigma (point[0] * point[0] + point[1] * point[1] + point[2] * point[2]);
+}
+
 /** \brief How far \a point is above a floor. */
 inline float
 heightAbove (const Eigen::Vector4f& floor, const float* point)
@@ -108,20 +115,40 @@ public:
            3 * samples_[plane].off > samples_[plane].points;
   }
 
+  /** \brief Whether a plane is likely more of the floor, which the error of depth bent:
+   * it is not the floor that was found, is tilted against it by less than 5 degrees, and
+   * its points are less than 1.5 standard deviations of depth above or below, in the
+   * mean. */
+  bool
+  isPart (std::uint32_t plane) const
+  {
+    return plane < samples_.size() && samples_[plane].is_part;
+  }
+
+  bool
+  hasParts () const
+  {
+    return has_parts_;
+  }
+
 private:
   struct Samples {
     float height = 0.f; // in the base frame, sum
     std::size_t points = 0;
     std::size_t off = 0; // above or below the floor
+    float sigmas = 0.f;  // standard deviations of depth above the floor, sum
     bool is_tilted = false;
+    bool is_part = false;
   };
 
   void
   compare (const OrganizedPoints& points,
            const LabelledPlanes& planes,
-           const DepthNoise& noise);
+           const DepthNoise& noise,
+           std::size_t floor);
 
   bool found_ = false;
+  bool has_parts_ = false;
   Eigen::Vector4f coefficients_ = Eigen::Vector4f::Zero();
   std::vector<Samples> samples_; // one for each plane
 };

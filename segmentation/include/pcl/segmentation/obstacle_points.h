@@ -62,6 +62,11 @@ struct ObstacleRow {
  * when most points around it, and itself, are on a plane that differs from the floor or
  * have another normal, however low they are. Points clearly below the floor are drop-offs.
  *
+ * Noise that is independent from point to point moves points along their rays, and heights
+ * above a floor seen flat by little of that. The smooth error of depth can bend away a piece
+ * of a floor that furniture parts from the rest: on planes that are likely that, heights
+ * count in standard deviations of depth instead.
+ *
  * The points around a point are those of 3 x 3 cells of an image of 160 cells in a row,
  * each of 4 x 4 pixels in VGA.
  */
@@ -93,6 +98,13 @@ private:
     float high = 0.f;   // points high enough for a low obstacle
     float differ = 0.f; // 1 where its first point is on another surface
   };
+
+  /** Points of the row on other parts of the floor are floor unless they are too far off
+   * for the error of depth. */
+  void
+  acceptParts (const ObstacleFrame& frame,
+               std::size_t first,
+               std::vector<ObstacleClass>& classes) const;
 
   void
   sumColumns (Cell* cells);
