@@ -81,6 +81,9 @@ FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 , labels_ (new pcl::PointCloud<pcl::Label>)
 {
   estimation_.setViewPoint (0.f, 0.f, 0.f);
+  segmentation_.setDepthNoise (options.depth_noise);
+  extraction_.setDepthNoise (options.depth_noise);
+  detection_.setDepthNoise (options.depth_noise);
   if (options.corrected_points)
     expectCorrectedPoints (segmentation_);
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace po = boost::program_options;
@@ -137,6 +138,40 @@ parseBaseTransform (const std::string& text)
                        turn (v[4], Eigen::Vector3f::UnitY()) *
                        turn (v[3], Eigen::Vector3f::UnitX()) * optical_to_forward;
   return transform;
+}
+
+void
+addDepthNoiseOption (po::options_description& options)
+{
+  options.add_options() (
+      "depth-noise",
+      po::value<std::string>()->value_name (
+          "kinect_v1|structured_light|time_of_flight|active_stereo"),
+      "the sensor whose noise and range to expect: kinect_v1, if not said; "
+      "structured_light as Xtion, Carmine and Astra; time_of_flight as Kinect v2 and "
+      "Azure Kinect; active_stereo as RealSense D4xx");
+}
+
+DepthNoise
+readDepthNoise (const po::variables_map& values)
+{
+  if (!values.count ("depth-noise"))
+    return DepthNoise::kinectV1();
+  if (values.count ("corrected"))
+    throw AppError ("--depth-noise: the noise of corrected points is that of a Kinect "
+                    "v1; leave out --depth-noise or --corrected");
+  const auto& sensor = values["depth-noise"].as<std::string>();
+  const std::map<std::string, DepthNoise> sensors{
+      {"kinect_v1", DepthNoise::kinectV1()},
+      {"structured_light", DepthNoise::structuredLight()},
+      {"time_of_flight", DepthNoise::timeOfFlight()},
+      {"active_stereo", DepthNoise::activeStereo()}};
+  const auto known = sensors.find (sensor);
+  if (known == sensors.end())
+    throw AppError ("--depth-noise: '" + sensor +
+                    "' must be kinect_v1, structured_light, time_of_flight or "
+                    "active_stereo");
+  return known->second;
 }
 
 std::uint32_t

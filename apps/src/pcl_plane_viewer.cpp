@@ -75,6 +75,7 @@ describeOptions ()
       "error of depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote "
       "for this camera; the key w switches") (
       "base-transform", text ("x,y,z,roll,pitch,yaw"), base_transform_help);
+  addDepthNoiseOption (options);
   return options.add (inputOptionsDescription());
 }
 
@@ -116,6 +117,7 @@ readOptions (int argc, char** argv)
   options.loop = values.count ("loop") != 0;
   if (values.count ("base-transform"))
     options.viewer.camera_to_base = parseBaseTransform (value ("base-transform"));
+  options.viewer.depth_noise = readDepthNoise (values);
   options.viewer.corrected = readCorrected (values);
   if (options.viewer.corrected &&
       options.viewer.corrected->source == WarpSource::camera)

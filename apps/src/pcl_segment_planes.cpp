@@ -80,6 +80,7 @@ readOptions (int argc, char** argv)
       "json",
       po::value<std::string>()->value_name ("FILE"),
       "write the result as JSON");
+  addDepthNoiseOption (options);
   addCorrectedOption (options);
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
@@ -105,6 +106,7 @@ readOptions (int argc, char** argv)
     result.output = values["output"].as<std::string>();
   if (values.count ("json"))
     result.json = values["json"].as<std::string>();
+  result.segmenter.depth_noise = readDepthNoise (values);
   result.corrected = readCorrected (values);
   result.segmenter.corrected_points = result.corrected.has_value();
   return result;

@@ -50,7 +50,7 @@ PlaneViewer::PlaneViewer (const ViewerOptions& options)
 , window_ ([this] (char key) { return takeKey (key); },
            [this] (const Eigen::Vector3f& point) { takePoint (point); })
 , frames_left_ (options.max_frames)
-, frame_ (options.camera_to_base, options.corrected)
+, frame_ (options.camera_to_base, options.corrected, options.depth_noise)
 {}
 
 PlaneViewer::~PlaneViewer()

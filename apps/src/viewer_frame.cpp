@@ -15,10 +15,12 @@ namespace {
 
 SegmenterOptions
 withEverything (const std::optional<Eigen::Affine3f>& camera_to_base,
-                bool corrected_points)
+                bool corrected_points,
+                const DepthNoise& depth_noise)
 {
   SegmenterOptions options;
   options.corrected_points = corrected_points;
+  options.depth_noise = depth_noise;
   options.find_objects = true;
   options.find_obstacles = true;
   options.camera_to_base = camera_to_base;
@@ -28,8 +30,9 @@ withEverything (const std::optional<Eigen::Affine3f>& camera_to_base,
 } // namespace
 
 ViewerFrame::ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base,
-                          const std::optional<CorrectedOption>& corrected)
-: options_ (withEverything (camera_to_base, corrected.has_value()))
+                          const std::optional<CorrectedOption>& corrected,
+                          const DepthNoise& depth_noise)
+: options_ (withEverything (camera_to_base, corrected.has_value(), depth_noise))
 , segmenter_ (options_)
 , correction_ (corrected)
 {

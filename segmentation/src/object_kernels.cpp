@@ -203,6 +203,7 @@ placeRowHere (const PointRow& row,
               std::uint8_t* has_above)
 {
   const auto nowhere = hn::Zero (Ints()), outside = hn::Set (Ints(), 1);
+  const V farthest = set (parameters.noise.max_range * parameters.noise.max_range);
   for (std::size_t block = 0; block < row.blocks(); ++block) {
     bool any_above = false;
     for (std::size_t k = 0; k < PointRow::block_size; k += hn::Lanes (Floats())) {
@@ -210,7 +211,8 @@ placeRowHere (const PointRow& row,
       const Points p = load (row, i);
       const V squared_range = squaredLength (p);
       auto place = outside;
-      Mask is_open = isMeasured (squared_range);
+      Mask is_open =
+          hn::And (isMeasured (squared_range), hn::Le (squared_range, farthest));
       Mask may_be_under = hn::MaskFromVec (hn::Zero (Floats()));
       for (std::size_t number = 0; number < planes.size(); ++number) {
         const SupportPlane& support = *planes[number];

@@ -157,6 +157,7 @@ TEST_F (PlaneViewerApp, BadUsageIsRefused)
   expectRefused ("sim:room --frames 0", "--frames");
   expectRefused ("sim:room --resolution 1k", "vga, qvga or qqvga");
   expectRefused ("sim:room --base-transform 1,2", "x,y,z,roll,pitch,yaw");
+  expectRefused ("sim:room --depth-noise sonar", "or active_stereo");
   expectRefused ("sim:room --corrected camera", "pcl_segment_planes writes");
   expectRefused ("sim:room --corrected missing.pcd", "missing.pcd");
   expectRefused ("live:missing.oni", "live:missing.oni: ");
@@ -217,25 +218,16 @@ TEST_F (PlaneViewerApp, HelpTellsKeysAndOptions)
     EXPECT_NE (result.out.find (std::string ("  ") + layer.key + "      show or hide " +
                                 layer.name),
                std::string::npos);
-  for (const std::string word : {"INPUT",
-                                 "  space  ",
-                                 "  .  ",
-                                 "  d  ",
-                                 "  s  ",
-                                 "  r  ",
-                                 "  h  ",
-                                 "  q  ",
-                                 "--show",
-                                 "--screenshot",
-                                 "--output",
-                                 "--rate",
-                                 "--loop",
-                                 "--base-transform",
-                                 "--intrinsics",
-                                 "--depth-scale",
-                                 "--resolution",
-                                 "--frames",
-                                 "Exit code"})
+  for (const std::string word : {"INPUT",         "  space  ",
+                                 "  .  ",         "  d  ",
+                                 "  s  ",         "  r  ",
+                                 "  h  ",         "  q  ",
+                                 "--show",        "--screenshot",
+                                 "--output",      "--rate",
+                                 "--loop",        "--base-transform",
+                                 "--depth-noise", "--intrinsics",
+                                 "--depth-scale", "--resolution",
+                                 "--frames",      "Exit code"})
     EXPECT_NE (result.out.find (word), std::string::npos) << word;
 }
 

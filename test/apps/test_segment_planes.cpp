@@ -228,6 +228,25 @@ TEST_F (SegmentPlanes, SequenceGivesOneResultForEachFrame)
   }
 }
 
+TEST_F (SegmentPlanes, SensorsSeeAsFarAsTheirNoiseSays)
+{
+  writeTwoWalls ("walls.png"); // at 4 and 6 m
+  const std::map<std::string, std::size_t> walls_in_range{{"kinect_v1", 2},
+                                                          {"structured_light", 0},
+                                                          {"time_of_flight", 1},
+                                                          {"active_stereo", 1}};
+  for (const auto& [sensor, walls] : walls_in_range) {
+    const Outcome result =
+        run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale 250 --obstacles "
+             "--base-transform 0,0,1,0,0,0 --json found.json --depth-noise " +
+             sensor);
+    ASSERT_EQ (result.code, 0) << result.err;
+    const json frame = json::parse (readFile (folder_ / "found.json"))["frames"][0];
+    EXPECT_EQ (frame["planes"].size(), walls) << sensor;
+    EXPECT_EQ (frame["obstacles"].size(), walls) << sensor;
+  }
+}
+
 TEST_F (SegmentPlanes, FrameWithoutDepthHasNoPlanes)
 {
   writePng (folder_ / "dark.png", 160, std::vector<std::uint16_t> (160 * 120));
@@ -281,6 +300,9 @@ TEST_F (SegmentPlanes, BadUsageIsRefused)
   expectRefused (input + camera_ + "--min-inliers 0", "--min-inliers");
   expectRefused (input + camera_ + "--min-inliers many", "--min-inliers");
   expectRefused (input + camera_ + "--resolution xga", "vga, qvga or qqvga");
+  expectRefused (input + camera_ + "--depth-noise sonar", "or active_stereo");
+  expectRefused (input + camera_ + "--depth-noise active_stereo --corrected frame",
+                 "leave out --depth-noise or --corrected");
   for (const std::string intrinsics : {"1,2,3",
                                        "1,2,3,4,5",
                                        "1,2,3,x",

@@ -294,6 +294,15 @@ TEST_F (ViewerLayersTest, PointsTellTheirPlane)
              "no point here");
 }
 
+TEST_F (ViewerLayersTest, BeyondTheRangeOfTheSensorAreNoPlanes)
+{
+  const DepthNoise noise{0.001f, 0.002f, 0.9f * viewer_scene::wall_distance};
+  ViewerFrame frame (viewer_scene::cameraToBase(), std::nullopt, noise);
+  frame.compute (viewer_scene::makeFrame(), 1);
+  EXPECT_EQ (frame.describePlane ({0.f, 0.f, viewer_scene::wall_distance}),
+             "no plane here");
+}
+
 TEST_F (ViewerLayersTest, FramesWithoutPlanesAreShown)
 {
   auto frame = viewer_scene::makeFrame();

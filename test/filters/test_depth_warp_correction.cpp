@@ -362,6 +362,8 @@ TEST (DepthWarpCorrection, PointsBeyondTheRangeOfTheSensorTellNothing)
   Correction correction;
   correction.setDepthNoise ({0.001f, 0.002f, 1.f});
   EXPECT_EQ (correction.getDepthNoise().max_range, 1.f);
+  correction.setDepthNoise ({0.001f, 0.002f, 0.f});
+  EXPECT_EQ (correction.getDepthNoise().max_range, 1.f);
   ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
   expectSameBytes (correctWith (correction, corner.cloud), *corner.cloud);
 }

@@ -167,6 +167,7 @@ private:
     extraction_.setMinObjectHeight (anyFloat (data_));
     extraction_.setHullTolerance (anyFloat (data_));
     extraction_.setClusterTolerance (anyFloat (data_));
+    extraction_.setDepthNoise (anyNoise (data_));
     extraction_.setMinPoints (data_.ConsumeIntegralInRange (0, 60));
     extraction_.setGraspableSides (anyFloat (data_), anyFloat (data_));
     extraction_.setSplitAtConcaveEdges (data_.ConsumeBool());

@@ -604,6 +604,8 @@ TEST (ObstacleDetection, SettersRefuseWhatMakesNoSense)
   scaled.linear() *= 2.f;
   detection.setCameraToBase (scaled);
   EXPECT_TRUE (detection.getCameraToBase().isApprox (pose));
+  detection.setDepthNoise ({0.001f, not_a_number});
+  EXPECT_EQ (detection.getDepthNoise().quadratic, 0.002f);
   for (const float increment : {0.f, -0.1f, not_a_number, 1e-9f}) {
     pcl::rgbd_planes::ScanLimits limits;
     limits.angle_increment = increment;

@@ -233,6 +233,20 @@ TEST (SupportedObjectExtraction, LowThingsAreNoise)
   EXPECT_EQ (extract (extraction, far (0.05f)).size(), 1u);
 }
 
+TEST (SupportedObjectExtraction, OtherSensorsSeeLowerThingsAndLessFar)
+{
+  const Box far_table{{2.5f, 0.f, 0.f}, {1.f, 1.f, 0.1f}};
+  const View view =
+      look ({far_table, {{2.5f, 0.f, 0.1f}, {0.2f, 0.2f, 0.02f}}}, Camera{1.5f, 0.5f});
+  Extraction extraction;
+  EXPECT_TRUE (extract (extraction, view).empty());
+  extraction.setDepthNoise (pcl::rgbd_planes::DepthNoise::timeOfFlight());
+  EXPECT_EQ (extraction.getDepthNoise().max_range, 5.5f);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setDepthNoise ({0.001f, 0.0002f, 2.f});
+  EXPECT_TRUE (extract (extraction, view).empty());
+}
+
 TEST (SupportedObjectExtraction, ObjectsHaveClearPoints)
 {
   // A sheet is lower than an object; a tower on it is not.
@@ -573,6 +587,8 @@ TEST (SupportedObjectExtraction, RefusesBadParameters)
   EXPECT_FLOAT_EQ (extraction.getMaxPlaneHeight(), 1.2f);
   extraction.setGraspableSides (nan, 0.5);
   EXPECT_FLOAT_EQ (extraction.getMaxGraspableSide(), 0.1f);
+  extraction.setDepthNoise ({-0.001f, 0.002f});
+  EXPECT_EQ (extraction.getDepthNoise().constant, 0.001f);
   extraction.setBaseTransform (Eigen::Affine3f (Eigen::Scaling (2.f)));
   EXPECT_TRUE (extraction.getBaseTransform().linear().isUnitary (1e-4f));
 }

@@ -50,6 +50,8 @@ struct SegmenterOptions {
   /** Where the camera is; by default where a simulated one is. Without either,
    * estimateCameraToBase(). */
   std::optional<Eigen::Affine3f> camera_to_base;
+  /** Of the sensor. */
+  DepthNoise depth_noise;
   /** Whether DepthWarpCorrection corrected the points of the frames. */
   bool corrected_points = false;
 };

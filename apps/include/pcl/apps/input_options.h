@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/apps/frame_source.h>
+#include <pcl/features/depth_noise.h>
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
@@ -36,6 +37,15 @@ extern const char base_transform_help[];
  * this order. AppError where it is not six finite numbers. */
 Eigen::Affine3f
 parseBaseTransform (const std::string& text);
+
+/** \brief Adds --depth-noise. */
+void
+addDepthNoiseOption (boost::program_options::options_description& options);
+
+/** \brief The value of --depth-noise, by default that of a Kinect v1; AppError where there is
+ * no such sensor, or --corrected, which knows what noise is left, is given as well. */
+DepthNoise
+readDepthNoise (const boost::program_options::variables_map& values);
 
 /** \brief The step between pixels for a value of --resolution; AppError where it is
  * none. */

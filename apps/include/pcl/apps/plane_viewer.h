@@ -22,6 +22,8 @@ namespace rgbd_planes {
 struct ViewerOptions {
   /** See SegmenterOptions::camera_to_base. */
   std::optional<Eigen::Affine3f> camera_to_base;
+  /** Of the sensor. */
+  DepthNoise depth_noise;
   /** See ViewerFrame. */
   std::optional<CorrectedOption> corrected;
   ViewerLayers layers;

@@ -20,9 +20,11 @@ public:
   /** \param[in] camera_to_base see SegmenterOptions::camera_to_base
    * \param[in] corrected how points are corrected, of a frame or with a file; nothing leaves
    * them as measured
+   * \param[in] depth_noise of points that are not corrected
    */
   explicit ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base,
-                        const std::optional<CorrectedOption>& corrected = std::nullopt);
+                        const std::optional<CorrectedOption>& corrected = std::nullopt,
+                        const DepthNoise& depth_noise = {});
 
   /** \brief Finds the planes, objects and obstacles of the next frame, and which of the planes
    * are those of the frames before.

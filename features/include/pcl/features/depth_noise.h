@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <pcl/features/rgbd_planes_exports.h>
+
 #include <limits>
+#include <string>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -99,6 +102,14 @@ struct DepthNoise {
     return {0.0005f, 0.003f, 5.f};
   }
 };
+
+/** \brief What setters of the noise of a sensor do: \a noise becomes \a value. One that is
+ * negative, 0 at a range of 1 m, not finite, or without a range: an error message, and the
+ * noise before stays. */
+PCL_RGBD_PLANES_EXPORTS void
+setDepthNoise (const std::string& class_name,
+               const DepthNoise& value,
+               DepthNoise& noise);
 
 } // namespace rgbd_planes
 } // namespace pcl

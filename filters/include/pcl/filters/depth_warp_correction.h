@@ -102,11 +102,12 @@ public:
   }
 
   /** \brief The errors of measured depth, which tell how large the warp may be; default
-   * DepthNoise::kinectV1 (). Counts from the next frame on. */
+   * DepthNoise::kinectV1 (). Counts from the next frame on. A noise of 0 m or less, NaN or
+   * Inf, and a range of 0 m or less, are refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
-    noise_ = noise;
+    rgbd_planes::setDepthNoise (getClassName(), noise, noise_);
   }
 
   const rgbd_planes::DepthNoise&

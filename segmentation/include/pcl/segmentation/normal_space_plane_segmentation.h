@@ -148,7 +148,10 @@ public:
    * default rgbd_planes::DepthNoise::kinectV1 (). A noise of 0 m or less, NaN or Inf, and
    * a range of 0 m or less, are refused. */
   void
-  setDepthNoise (const rgbd_planes::DepthNoise& noise);
+  setDepthNoise (const rgbd_planes::DepthNoise& noise)
+  {
+    rgbd_planes::setDepthNoise (getClassName(), noise, parameters_.noise);
+  }
 
   const rgbd_planes::DepthNoise&
   getDepthNoise () const

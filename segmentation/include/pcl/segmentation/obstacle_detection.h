@@ -149,11 +149,12 @@ public:
   }
 
   /** \brief The noise of the sensor; default that of a Kinect v1. Points beyond its range
-   * are unmeasured. */
+   * are unmeasured. A noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are
+   * refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
-    parameters_.points.noise = noise;
+    rgbd_planes::setDepthNoise (getClassName(), noise, parameters_.points.noise);
   }
 
   const rgbd_planes::DepthNoise&

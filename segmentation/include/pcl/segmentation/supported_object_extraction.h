@@ -215,6 +215,20 @@ public:
     return parameters_.max_graspable_side;
   }
 
+  /** \brief The noise of the sensor; default that of a Kinect v1. Points beyond its range are
+   * left out. A noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are refused. */
+  void
+  setDepthNoise (const rgbd_planes::DepthNoise& noise)
+  {
+    rgbd_planes::setDepthNoise (getClassName(), noise, parameters_.noise);
+  }
+
+  const rgbd_planes::DepthNoise&
+  getDepthNoise () const
+  {
+    return parameters_.noise;
+  }
+
   /** \brief Whether to split objects that touch along concave edges and steps between their
    * surfaces; default false. An object that stands on another one then rests on that one's
    * top, where this is a plane. From 480 columns on, edges are looked for on cells of 2 x 2

@@ -48,25 +48,6 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDistanceThreshold (
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
-void
-NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDepthNoise (
-    const rgbd_planes::DepthNoise& noise)
-{
-  const float sigma = noise.sigma (1.f);
-  if (!(noise.constant >= 0.f && noise.quadratic >= 0.f && sigma > 0.f &&
-        std::isfinite (sigma) && noise.max_range > 0.f)) {
-    PCL_ERROR ("[pcl::%s::setDepthNoise] The noise must be more than 0 m and the range "
-               "as well, got %g m + %g m z^2 up to %g m. Keeping what was set.\n",
-               getClassName().c_str(),
-               noise.constant,
-               noise.quadratic,
-               noise.max_range);
-    return;
-  }
-  parameters_.noise = noise;
-}
-
-template <typename PointT, typename PointNT, typename PointLT>
 bool
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 {
