@@ -96,7 +96,8 @@ PlaneSamples::findClustered (std::vector<std::uint32_t>& clustered) const
   std::size_t number = 0;
   for (std::size_t i = 0; i < size(); ++i) {
     clustered[number] = static_cast<std::uint32_t> (i);
-    number += isFree (i) & (min_cosine[i] >= 0.f);
+    number += static_cast<std::size_t> (isFree (i)) &
+              static_cast<std::size_t> (min_cosine[i] >= 0.f);
   }
   clustered.resize (number);
 }
