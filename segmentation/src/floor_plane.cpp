@@ -15,8 +15,9 @@ namespace {
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
 constexpr float off_sigmas = 3.f;
-/** The smooth error of depth bends parts of a floor by less, in the mean. */
-constexpr float part_sigmas = 1.5f;
+/** The smooth error of depth bends parts of a floor by less, in the mean. Those with a
+ * quarter of the points of the floor are too large for the top of a low thing. */
+constexpr float part_sigmas = 1.5f, large_part_sigmas = 3.f;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
 
@@ -91,9 +92,11 @@ FloorPlane::compare (const OrganizedPoints& points,
     Samples& samples = samples_[k];
     samples.is_tilted =
         planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
+    const bool is_large = 4 * samples.points >= samples_[floor].points;
+    const float sigmas = is_large ? large_part_sigmas : part_sigmas;
     samples.is_part =
         k != floor && !samples.is_tilted &&
-        std::abs (samples.sigmas) < part_sigmas * static_cast<float> (samples.points);
+        std::abs (samples.sigmas) < sigmas * static_cast<float> (samples.points);
     has_parts_ = has_parts_ || samples.is_part;
   }
 }

@@ -210,6 +210,27 @@ TEST (ObstacleDetection, APieceOfTheFloorThatTheErrorOfDepthBentIsFloor)
   }
 }
 
+TEST (ObstacleDetection, OnlyLargePiecesOfTheFloorMayBeBentMuch)
+{
+  const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);
+  Patch floor = floorAt (0.f);
+  floor.covers = [] (const Eigen::Vector3f& p) { return std::abs (p.y()) < 0.5f; };
+  for (const bool is_large : {true, false}) {
+    // 1.1 to 2.4 standard deviations of depth high.
+    Patch piece = floorAt (0.035f);
+    piece.covers = [is_large] (const Eigen::Vector3f& p) {
+      return p.y() > 0.7f && p.x() > 2.f && p.x() < 3.5f && (is_large || p.y() < 1.f);
+    };
+    const FloorScene scene ({floor, piece}, high, 320);
+    const Result result = detect (scene);
+    const double share_of_floor = share (scene, result, 1, 1, ObstacleClass::floor);
+    if (is_large)
+      EXPECT_EQ (share_of_floor, 1.);
+    else
+      EXPECT_LT (share_of_floor, 0.1);
+  }
+}
+
 TEST (ObstacleDetection, LowObstaclesOnThePlaneOfAPieceOfTheFloorAreFound)
 {
   const Eigen::Affine3f high = cameraPose (1.2f, 0.6f);

@@ -118,7 +118,7 @@ public:
   /** \brief Whether a plane is likely more of the floor, which the error of depth bent:
    * it is not the floor that was found, is tilted against it by less than 5 degrees, and
    * its points are less than 1.5 standard deviations of depth above or below, in the
-   * mean. */
+   * mean, or less than 3 if they are at least a quarter as many as those of the floor. */
   bool
   isPart (std::uint32_t plane) const
   {
