@@ -85,9 +85,8 @@ FloorPlane::compare (const OrganizedPoints& points,
     const float height = heightAbove (coefficients_, p);
     const float variance = heightVariance (p, coefficients_[3], noise);
     samples_[plane].off += height * height > off_sigmas * off_sigmas * variance;
-    samples_[plane].sigmas += height / depthSigma (p, noise);
+    samples_[plane].sigmas += height / noise.sigma (squaredRange (p));
   });
-  has_parts_ = false;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     Samples& samples = samples_[k];
     samples.is_tilted =
@@ -97,7 +96,6 @@ FloorPlane::compare (const OrganizedPoints& points,
     samples.is_part =
         k != floor && !samples.is_tilted &&
         std::abs (samples.sigmas) < sigmas * static_cast<float> (samples.points);
-    has_parts_ = has_parts_ || samples.is_part;
   }
 }
 

@@ -19,7 +19,7 @@ constexpr int cells_in_row = 160;
  * of it are higher than that above the floor. */
 constexpr float sample_sigmas = 1.f;
 /** The error of depth moves points of a floor by less. */
-constexpr float part_sigmas = 3.f;
+constexpr float part_point_sigmas = 3.f;
 /** Of the 9 of a window. */
 constexpr float enough_samples = 6.f;
 
@@ -98,7 +98,8 @@ ObstaclePoints::acceptParts (const ObstacleFrame& frame,
         !frame.floor.isPart (frame.planes[first + u]))
       continue;
     if (std::abs (row_.height[u]) <=
-        part_sigmas * depthSigma (frame.points[first + u], parameters_.noise))
+        part_point_sigmas *
+            parameters_.noise.sigma (squaredRange (frame.points[first + u])))
       result = ObstacleClass::floor;
   }
 }
@@ -199,8 +200,9 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
       const float* p = frame.points[i];
       const float height = heightAbove (floor, p);
       const float variance = heightVariance (p, floor[3], parameters_.noise);
+      // The variance of depth is so many times that of height.
       const float factor = frame.floor.isPart (frame.planes[i])
-                               ? square (depthSigma (p, parameters_.noise)) / variance
+                               ? squaredRange (p) / square (floor[3])
                                : 1.f;
       if ((is_high && square (mean_height) > factor * limit &&
            isHigh (height, factor * variance, parameters_)) ||

@@ -246,7 +246,8 @@ TEST (ObstacleDetection, LowObstaclesOnThePlaneOfAPieceOfTheFloorAreFound)
   const FloorScene apart = scene;
   scene.labels.reset (new pcl::PointCloud<pcl::Label> (*apart.labels));
   for (auto& label : *scene.labels)
-    label.label = label.label == 2u ? 1u : label.label;
+    if (label.label == 2u)
+      label.label = 1u;
   scene.planes.resize (2);
   const Result result = detect (scene);
   EXPECT_GT (share (apart, result, 2, 2, ObstacleClass::obstacle), 0.8);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,13 +33,19 @@ struct LabelledPlanes {
   }
 };
 
+/** \brief The square of the distance of \a point from the camera. */
+inline float
+squaredRange (const float* point)
+{
+  return point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
+}
+
 /** \brief Whether \a point is a measurement, and near enough for its sensor. */
 inline bool
 isUsable (const float* point, const DepthNoise& noise)
 {
-  const float squared_range =
-      point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
-  return isMeasured (point) && squared_range <= noise.max_range * noise.max_range;
+  return isMeasured (point) &&
+         squaredRange (point) <= noise.max_range * noise.max_range;
 }
 
 /** \brief The variance of the height of a point near a floor.
@@ -51,20 +58,12 @@ isUsable (const float* point, const DepthNoise& noise)
 inline float
 heightVariance (const float* point, float camera_height, const DepthNoise& noise)
 {
-  const float squared_range =
-      point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
+  const float squared_range = squaredRange (point);
   const float sigma = camera_height * noise.sigma (squared_range);
   const float variance = sigma * sigma / squared_range;
   return squared_range <= noise.max_range * noise.max_range
              ? variance
              : std::numeric_limits<float>::quiet_NaN();
-}
-
-/** \brief The standard deviation of the depth of a point. */
-inline float
-depthSigma (const float* point, const DepthNoise& noise)
-{
-  return noise.sigma (point[0] * point[0] + point[1] * point[1] + point[2] * point[2]);
 }
 
 /** \brief How far \a point is above a floor. */
@@ -128,7 +127,8 @@ public:
   bool
   hasParts () const
   {
-    return has_parts_;
+    return std::any_of (
+        samples_.begin(), samples_.end(), [] (const Samples& s) { return s.is_part; });
   }
 
 private:
@@ -148,7 +148,6 @@ private:
            std::size_t floor);
 
   bool found_ = false;
-  bool has_parts_ = false;
   Eigen::Vector4f coefficients_ = Eigen::Vector4f::Zero();
   std::vector<Samples> samples_; // one for each plane
 };
