@@ -111,7 +111,7 @@ unsigned
 minObjectPoints (std::size_t pixels)
 {
   constexpr std::size_t fewest = 20;
-  return static_cast<unsigned> (std::max (pixels * 50 / (640 * 480), fewest));
+  return static_cast<unsigned> (std::max (pixels * 40 / (640 * 480), fewest));
 }
 
 std::vector<ObjectMethod>

@@ -22,6 +22,7 @@ linkRowHere (const PointRow& row,
              std::uint8_t* to_left,
              std::uint8_t* to_above)
 {
+  const PlaneEquation up{limit.up.x(), limit.up.y(), limit.up.z(), 0.f};
   for (std::size_t block = 0; block < row.blocks(); ++block) {
     if (blocks && !blocks[block])
       continue;
@@ -29,14 +30,22 @@ linkRowHere (const PointRow& row,
       const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
       const Points p = load (row, i);
       const V squared_range = squaredLength (p);
+      const V range = hn::Sqrt (squared_range);
       const V sigma = sigmaOf (limit.noise, squared_range);
-      const V far =
-          hn::MulAdd (set (limit.slope),
-                      hn::Sqrt (squared_range),
-                      hn::MulAdd (set (limit.sigmas), sigma, set (limit.constant)));
-      const auto storeLinks = [&] (const Points& q, std::uint8_t* links) {
-        const V squared_distance = squaredLength (difference (p, q));
-        const Mask is_close = hn::Le (squared_distance, hn::Mul (far, far));
+      const V rise = hn::Div (hn::Abs (dot (up, p)), range);
+      const V same_height = hn::IfThenElse (
+          hn::Ge (rise, set (LinkLimit::min_rise)),
+          hn::Mul (hn::Mul (set (LinkLimit::level_sigmas), sigma), rise),
+          set (-1.f));
+      const V noise = hn::MulAdd (set (limit.sigmas), sigma, set (limit.constant));
+      const V slope = set (limit.slope);
+      const V level_slope = hn::Max (slope, hn::Div (set (limit.level_slope), rise));
+      const auto storeLinks = [&] (const Points& q, std::uint8_t* links) HWY_ATTR {
+        const Points way = difference (p, q);
+        const Mask is_level = hn::Le (hn::Abs (dot (up, way)), same_height);
+        const V far =
+            hn::MulAdd (hn::IfThenElse (is_level, level_slope, slope), range, noise);
+        const Mask is_close = hn::Le (squaredLength (way), hn::Mul (far, far));
         storeBytes (intOf (is_close, 1), links + i);
       };
       storeLinks (load (row, i - 1), to_left);

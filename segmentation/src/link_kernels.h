@@ -9,14 +9,22 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace pcl {
 namespace rgbd_planes {
 
-/** How far apart neighbouring points of one thing may be. */
+/** How far apart neighbouring points of one thing may be. Points at the same height may be of a
+ * level surface, on which neighbours are the farther apart, the flatter it is seen. */
 struct LinkLimit {
+  /** Heights that differ by less, in standard deviations of depth as far as it shows in
+   * heights, are the same. */
+  static constexpr float level_sigmas = 1.f;
+  /** The sine of the flattest angle at which level surfaces are seen, 9 degrees. */
+  static constexpr float min_rise = 0.15f;
+
   /** Metres. */
   float constant = 0.f;
   /** Metres for each metre of range. */
@@ -24,16 +32,25 @@ struct LinkLimit {
   /** Standard deviations of depth. */
   float sigmas = 0.f;
   DepthNoise noise;
+  /** Metres for each metre of range on a level surface seen from straight above. */
+  float level_slope = 0.f;
+  /** A unit vector; zero where no surface is level. */
+  Eigen::Vector3f up = Eigen::Vector3f::Zero();
 
   /** Whether \a q is close to \a p, whose range counts. */
   bool
   allows (const float* p, const float* q) const
   {
     const Eigen::Map<const Eigen::Vector3f> from (p), to (q);
-    const float squared_range = from.squaredNorm();
-    const float limit = constant + sigmas * noise.sigma (squared_range) +
-                        slope * std::sqrt (squared_range);
-    return (from - to).squaredNorm() <= limit * limit;
+    const Eigen::Vector3f way = from - to;
+    const float range = from.norm();
+    const float sigma = noise.sigma (range * range);
+    const float rise = std::fabs (up.dot (from)) / range;
+    const bool is_level =
+        rise >= min_rise && std::fabs (up.dot (way)) <= level_sigmas * sigma * rise;
+    const float stretched = is_level ? std::max (slope, level_slope / rise) : slope;
+    const float limit = constant + sigmas * sigma + stretched * range;
+    return way.squaredNorm() <= limit * limit;
   }
 };
 

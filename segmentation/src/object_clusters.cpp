@@ -15,23 +15,20 @@ namespace rgbd_planes {
 
 namespace {
 
-/** How far apart neighbours may be on a surface, in widths of a pixel: slopes stretch it. */
+/** How far apart neighbours may be on a surface, in widths of a pixel: slopes stretch it. That of
+ * level surfaces, such as tops of boxes, is known. */
 constexpr float stretch = 3.f;
+constexpr float level_stretch = 1.5f;
 /** A point so many standard deviations above a plane is not there by noise. */
 constexpr float clear_sigmas = 3.f;
 /** Objects have so many clear points, in parts of min_points and of their own points. */
 constexpr double clear_of_min_points = 0.6;
 constexpr double clear_of_points = 0.25;
-/** A cluster that hangs together with the outside in more than a few points, and along more
- * than a part of its width, the square root of its points, is cut off from something larger. */
-constexpr double few_leaks = 3.;
-constexpr double max_leak = 0.1;
-
-LinkLimit
-linkLimit (const ObjectParameters& parameters, float pixel_angle)
-{
-  return {0.f, stretch * pixel_angle, parameters.cluster_tolerance, parameters.noise};
-}
+/** A cluster that hangs together with the outside in more than a few points, in parts of
+ * min_points, and along more than a part of its width, the square root of its points, is cut
+ * off from something larger. */
+constexpr double leaks_of_min_points = 0.1;
+constexpr double leaks_of_width = 0.1;
 
 } // namespace
 
@@ -78,6 +75,17 @@ ObjectClusters::measurePixelAngle()
   pixel_angle_ = pixels ? angles / static_cast<float> (pixels) : 0.f;
 }
 
+LinkLimit
+ObjectClusters::linkLimit() const
+{
+  return {0.f,
+          stretch * pixel_angle_,
+          parameters_.cluster_tolerance,
+          parameters_.noise,
+          level_stretch * pixel_angle_,
+          bases_.back()->plane.normal};
+}
+
 /** Runs of points above the same plane that are close to each other, joined where points
  * are close to those of the row above. */
 void
@@ -91,7 +99,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
   // What fills up the last block of a row is in the next one, which is placed later.
   place_.resize (points_.size() + PointRow::block_size);
   run_above_.resize (static_cast<std::size_t> (points_.width));
-  const LinkLimit limit = linkLimit (parameters_, pixel_angle_);
+  const LinkLimit limit = linkLimit();
   rows_[1].load (points_, 0);
   has_above_.resize (rows_[1].blocks());
   for (auto* links : {&to_left_, &to_above_})
@@ -227,7 +235,7 @@ std::size_t
 ObjectClusters::leaks (const Run& run) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  const LinkLimit limit = linkLimit (parameters_, pixel_angle_);
+  const LinkLimit limit = linkLimit();
   const std::uint32_t u = run.first % width, last = run.first + run.length - 1;
   const bool has_above = run.first >= width;
   const bool has_below = last + width < points_.size();
@@ -253,7 +261,9 @@ ObjectClusters::isObject (const Sums& sums) const
   return sums.points >= parameters_.min_points &&
          clear >= clear_of_min_points * parameters_.min_points &&
          clear >= clear_of_points * points &&
-         static_cast<double> (sums.leaks) <= few_leaks + max_leak * std::sqrt (points);
+         static_cast<double> (sums.leaks) <=
+             leaks_of_min_points * parameters_.min_points +
+                 leaks_of_width * std::sqrt (points);
 }
 
 void

@@ -24,7 +24,11 @@ isAnObstacle (ObstacleClass c)
 LinkLimit
 linkLimit (const DepthNoise& noise)
 {
-  return {max_gap_m, 0.f, max_gap_sigmas, noise};
+  LinkLimit limit;
+  limit.constant = max_gap_m;
+  limit.sigmas = max_gap_sigmas;
+  limit.noise = noise;
+  return limit;
 }
 
 } // namespace

@@ -83,6 +83,20 @@ TEST_F (EvaluateDetection, ObjectsOnASimulatedTable)
   EXPECT_EQ (methods[2]["method"], "pcl_lccp");
 }
 
+// Tops of a few rows, and strips of walls a few columns wide.
+TEST_F (EvaluateDetection, ObjectsInSmallImagesOfRooms)
+{
+  std::string frames;
+  for (int seed = 1; seed <= 10; ++seed)
+    frames += "sim:room:" + std::to_string (seed) + " ";
+  const Outcome outcome = run (frames + "--resolution qqvga --json table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  const json row = results().at (0);
+  EXPECT_GE (row["apart_50_percent"], 90.);
+  EXPECT_EQ (row["false_objects"], 0);
+  EXPECT_GE (row["graspable_right_percent"], 95.);
+}
+
 TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});

@@ -325,6 +325,43 @@ TEST (SupportedObjectExtraction, MinPoints)
   EXPECT_TRUE (extract (extraction, view).empty());
 }
 
+TEST (SupportedObjectExtraction, TopsSeenAtAFlatAngle)
+{
+  // Rows of the top are 6 cm apart, which is more than elsewhere on an object.
+  Camera camera;
+  camera.height = 1.25f;
+  camera.pitch_down = 0.4f;
+  camera.width = 160;
+  camera.image_height = 120;
+  const Box large_table{{2.f, 0.f, 0.66f}, {2.f, 2.f, 0.04f}};
+  const Box box{{1.8f, 0.1f, 0.7f}, {0.2f, 0.25f, 0.12f}};
+  const View view = look ({floor_slab, large_table, box}, camera);
+  Extraction extraction;
+  extraction.setMinPoints (20);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 2), 0.9);
+  EXPECT_LT (
+      (sorted (objects.front().box_size) - sorted (box.size)).cwiseAbs().maxCoeff(),
+      0.05f)
+      << objects.front().box_size.transpose();
+}
+
+TEST (SupportedObjectExtraction, WhatStandsBehindATopIsAnother)
+{
+  Camera camera;
+  camera.height = 1.25f;
+  camera.pitch_down = 0.4f;
+  const Box large_table{{2.f, 0.f, 0.66f}, {2.f, 2.f, 0.04f}};
+  const Box front{{1.6f, 0.f, 0.7f}, {0.1f, 0.1f, 0.1f}};
+  const Box behind{{1.75f, 0.05f, 0.7f}, {0.1f, 0.1f, 0.2f}};
+  const View view = look ({floor_slab, large_table, front, behind}, camera);
+  const Objects objects = extract (view);
+  EXPECT_EQ (objects.size(), 2u);
+  for (const int box : {2, 3})
+    EXPECT_GT (bestIou (objects, view, box), 0.85) << box;
+}
+
 TEST (SupportedObjectExtraction, ApartObjects)
 {
   const View view = look ({floor_slab,

@@ -38,7 +38,7 @@ struct ObjectMethod {
       compute;
 };
 
-/** \brief The fewest points of an object in an image of so many pixels: 50 of 640 x 480, in
+/** \brief The fewest points of an object in an image of so many pixels: 40 of 640 x 480, in
  * proportion for others, and no fewer than 20. */
 unsigned
 minObjectPoints (std::size_t pixels);

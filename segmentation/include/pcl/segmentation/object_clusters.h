@@ -13,6 +13,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
+struct LinkLimit;
+
 /** \brief Points that may be of one object. */
 struct ObjectCluster {
   pcl::Indices indices;    /**< in ascending order */
@@ -73,6 +75,9 @@ private:
 
   void
   measurePixelAngle ();
+
+  LinkLimit
+  linkLimit () const;
 
   void
   findRuns (const std::vector<std::uint8_t>& selected);
