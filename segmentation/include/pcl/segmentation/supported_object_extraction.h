@@ -174,8 +174,8 @@ public:
 
   /** \brief Neighbouring points are of one object when they are no further apart than three
    * pixels are wide there, plus this many standard deviations of depth; 0 or more, default
-   * 1. Where both are at the same height, as on tops seen at a flat angle, one and a half
-   * pixels seen at that angle may be more than three. */
+   * 1. At the same height, as on tops that are seen at a flat angle, they may be as far apart as
+   * one and a half pixels on a level surface. */
   void
   setClusterTolerance (double sigmas);
 
