@@ -24,9 +24,10 @@ constexpr float clear_sigmas = 3.f;
 /** Objects have so many clear points, in parts of min_points and of their own points. */
 constexpr double clear_of_min_points = 0.6;
 constexpr double clear_of_points = 0.25;
-/** A cluster that hangs together with the outside in more than a few points, in parts of
- * min_points, and along more than a part of its width, the square root of its points, is cut
- * off from something larger. */
+/** A cluster that hangs together with the outside in more than a few points, at least two or a
+ * part of min_points, and along more than a part of its width, the square root of its points,
+ * is cut off from something larger. */
+constexpr double few_leaks = 2.;
 constexpr double leaks_of_min_points = 0.1;
 constexpr double leaks_of_width = 0.1;
 
@@ -262,7 +263,7 @@ ObjectClusters::isObject (const Sums& sums) const
          clear >= clear_of_min_points * parameters_.min_points &&
          clear >= clear_of_points * points &&
          static_cast<double> (sums.leaks) <=
-             leaks_of_min_points * parameters_.min_points +
+             std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
                  leaks_of_width * std::sqrt (points);
 }
 
