@@ -199,6 +199,7 @@ ObjectClusters::heightAbove (const SupportPlane& support,
 void
 ObjectClusters::sumUp()
 {
+  const LinkLimit limit = linkLimit();
   for (std::uint32_t k = 0; k < runs_.size(); ++k) {
     Run& run = runs_[k];
     const std::uint32_t root = sets_.root (k);
@@ -213,7 +214,7 @@ ObjectClusters::sumUp()
     Sums& sums = sums_[run.set];
     sums.points += run.length;
     sums.clear += clearPoints (run, (*supports_)[sums.support]);
-    sums.leaks += leaks (run);
+    sums.leaks += leaks (run, limit);
   }
 }
 
@@ -233,10 +234,9 @@ ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
 }
 
 std::size_t
-ObjectClusters::leaks (const Run& run) const
+ObjectClusters::leaks (const Run& run, const LinkLimit& limit) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  const LinkLimit limit = linkLimit();
   const std::uint32_t u = run.first % width, last = run.first + run.length - 1;
   const bool has_above = run.first >= width;
   const bool has_below = last + width < points_.size();

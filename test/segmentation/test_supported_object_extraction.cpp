@@ -23,6 +23,10 @@ const Box floor_slab{{3.f, 0.f, -0.1f}, {8.f, 8.f, 0.1f}};
 const Box table{{1.2f, 0.f, 0.66f}, {0.8f, 1.f, 0.04f}};
 constexpr float table_height = 0.7f;
 
+/** It sees the tops of things on deep_table at a flat angle. */
+const Camera camera_near_tops{1.25f, 0.4f};
+const Box deep_table{{2.f, 0.f, 0.66f}, {2.f, 2.f, 0.04f}};
+
 Box
 onTable (float x, float y, const Vector3f& size, float yaw = 0.f)
 {
@@ -328,14 +332,11 @@ TEST (SupportedObjectExtraction, MinPoints)
 TEST (SupportedObjectExtraction, TopsSeenAtAFlatAngle)
 {
   // Rows of the top are 6 cm apart, which is more than elsewhere on an object.
-  Camera camera;
-  camera.height = 1.25f;
-  camera.pitch_down = 0.4f;
+  Camera camera = camera_near_tops;
   camera.width = 160;
   camera.image_height = 120;
-  const Box large_table{{2.f, 0.f, 0.66f}, {2.f, 2.f, 0.04f}};
   const Box box{{1.8f, 0.1f, 0.7f}, {0.2f, 0.25f, 0.12f}};
-  const View view = look ({floor_slab, large_table, box}, camera);
+  const View view = look ({floor_slab, deep_table, box}, camera);
   Extraction extraction;
   extraction.setMinPoints (20);
   const Objects objects = extract (extraction, view);
@@ -349,13 +350,9 @@ TEST (SupportedObjectExtraction, TopsSeenAtAFlatAngle)
 
 TEST (SupportedObjectExtraction, WhatStandsBehindATopIsAnother)
 {
-  Camera camera;
-  camera.height = 1.25f;
-  camera.pitch_down = 0.4f;
-  const Box large_table{{2.f, 0.f, 0.66f}, {2.f, 2.f, 0.04f}};
   const Box front{{1.6f, 0.f, 0.7f}, {0.1f, 0.1f, 0.1f}};
   const Box behind{{1.75f, 0.05f, 0.7f}, {0.1f, 0.1f, 0.2f}};
-  const View view = look ({floor_slab, large_table, front, behind}, camera);
+  const View view = look ({floor_slab, deep_table, front, behind}, camera_near_tops);
   const Objects objects = extract (view);
   EXPECT_EQ (objects.size(), 2u);
   for (const int box : {2, 3})

@@ -101,7 +101,7 @@ private:
   clearPoints (const Run& run, const SupportPlane& support) const;
 
   std::size_t
-  leaks (const Run& run) const;
+  leaks (const Run& run, const LinkLimit& limit) const;
 
   bool
   isObject (const Sums& sums) const;
