@@ -8,7 +8,6 @@
 #include <pcl/segmentation/curved_patches.h>
 
 #include <algorithm>
-#include <bitset>
 #include <utility>
 
 namespace pcl {
@@ -26,12 +25,6 @@ constexpr double min_continued = 0.4;
 constexpr double min_turn = 0.1, min_turn_per_metre = 0.8;
 /** ... of which the patch turns this share per metre: what lies between creases does not. */
 constexpr double min_own_share = 0.35;
-
-std::size_t
-count (unsigned samples)
-{
-  return std::bitset<PlaneSamples::tile_size> (samples).count();
-}
 
 /** What of a tile hangs together with a plane, as the surface that goes on from it. */
 SamplesAtPlane

@@ -162,22 +162,44 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
 {
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
+  normals_.assign (planes.size(), {});
   tile_labels_.resize (std::max (tile_labels_.size(), PlaneSamples::tile_size));
   std::int32_t own[PlaneSamples::tile_size];
   std::iota (own, std::end (own), 0);
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
     const std::size_t begin = tile * PlaneSamples::tile_size;
-    if (first_candidate_[tile] < first_candidate_[tile + 1])
-      assignTile ({&samples.x[begin],
-                   &samples.y[begin],
-                   &samples.z[begin],
-                   PlaneSamples::tile_size},
-                  own,
-                  samples,
-                  tile,
-                  planes,
-                  noise,
-                  max_sigmas);
+    if (first_candidate_[tile] == first_candidate_[tile + 1])
+      continue;
+    assignTile ({&samples.x[begin],
+                 &samples.y[begin],
+                 &samples.z[begin],
+                 PlaneSamples::tile_size},
+                own,
+                samples,
+                tile,
+                planes,
+                noise,
+                max_sigmas);
+    compareNormals (samples, planes, tile);
+  }
+}
+
+/** Counts the normals of the samples of the tile, which was assigned last. */
+void
+PlaneAssignment::compareNormals (const PlaneSamples& samples,
+                                 const std::vector<Plane>& planes,
+                                 std::size_t tile)
+{
+  for (std::size_t k = first_candidate_[tile]; k < first_candidate_[tile + 1]; ++k) {
+    const std::uint32_t plane = candidates_[k].plane;
+    const unsigned own = samplesWhere (
+        tile_labels_.data(), [plane] (std::uint32_t label) { return label == plane; });
+    if (own == 0)
+      continue;
+    const NormalsAtPlane at_plane = normalsAtPlane (
+        samples, tile * PlaneSamples::tile_size, equationOf (planes[plane]));
+    normals_[plane].known += count (own & at_plane.known);
+    normals_[plane].near += count (own & at_plane.near);
   }
 }
 

@@ -21,9 +21,11 @@ constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 1.15f;
-/** The mean square of the errors of points on a curved surface, in standard deviations, is
- * larger. */
-constexpr double min_squared_error = 0.5;
+/** The mean square of the errors of points on a curved or an uneven surface, in standard
+ * deviations, is larger... */
+constexpr double min_error_if_curved = 0.5, min_error_if_uneven = 0.8;
+/** ... and a smaller share of the normals is near that of the plane than on a flat one. */
+constexpr double min_near_normals = 0.75;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
@@ -86,6 +88,7 @@ void
 PlaneExtraction::assign (const OrganizedPoints& points,
                          const std::vector<std::uint8_t>& selected)
 {
+  is_uneven_.assign (planes_.size(), 0);
   if (!parameters_.additions.assignment) {
     assignment_.keepOwners (owners_);
     assignment_.assignPixels (
@@ -95,9 +98,11 @@ PlaneExtraction::assign (const OrganizedPoints& points,
   assignment_.findPlanes (samples_, owners_, planes_);
   // Samples near a crease may lie nearer to the plane on its other side.
   assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
-  for (std::size_t k = 0; k < planes_.size(); ++k)
+  for (std::size_t k = 0; k < planes_.size(); ++k) {
+    is_uneven_[k] = assignment_.nearNormals (k) < min_near_normals;
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
+  }
   assignment_.assignPixels (
       points, selected, samples_, planes_, parameters_.noise, max_sigmas_);
 }
@@ -171,15 +176,17 @@ PlaneExtraction::joinParts()
     patches_.find (samples_, owners_, planes_, parameters_.noise, max_sigmas_);
 }
 
-/** Whether the plane is part of a curved surface, and the points that it got in the end are
- * not those of a flat one. */
+/** Whether the plane is part of a curved surface, or lies in an uneven one, and the points
+ * that it got in the end are not those of a flat one. */
 bool
-PlaneExtraction::isCurvedPatch (std::size_t plane) const
+PlaneExtraction::isPatch (std::size_t plane) const
 {
   const PlaneMoments& points = assignment_.weightedMoments()[plane];
-  return parameters_.additions.patches && patches_.isPatch (plane) &&
-         points.squaredErrors (points.inverseDistance()) >
-             min_squared_error * static_cast<double> (points.points);
+  const double error = points.squaredErrors (points.inverseDistance()) /
+                       static_cast<double> (points.points);
+  return parameters_.additions.patches &&
+         ((patches_.isPatch (plane) && error > min_error_if_curved) ||
+          (is_uneven_[plane] && error > min_error_if_uneven));
 }
 
 /** Drops planes with too few points, sorts the others, and fits them. */
@@ -198,7 +205,7 @@ PlaneExtraction::finish (std::size_t width)
   };
   rejections_.too_few_points +=
       dropWhere ([&] (std::uint32_t k) { return sums[k].points < min_points; });
-  rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isCurvedPatch (k); });
+  rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isPatch (k); });
   std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {
     return sums[a].points != sums[b].points ? sums[a].points > sums[b].points : a < b;
   });

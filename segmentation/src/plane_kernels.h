@@ -37,8 +37,8 @@ constexpr float max_squared_range = 1e18f;
  * viewing ray; seen flatter than this cosine, a plane gets no nearer. */
 constexpr float min_view_cosine = 0.1f;
 
-/** From the points and normals of \a samples, (0, 0, 0) where there is none, the standard
- * deviations, weights, and cosines. */
+/** From the points of \a samples, (0, 0, 0) where there is none, the standard deviations
+ * and weights, and the least cosines of those that are not negative. */
 void
 fillUncertainties (PlaneSamples& samples, const DepthNoise& noise);
 
@@ -79,8 +79,20 @@ compatibleSamples (const PlaneSamples& samples,
                    const PlaneEquation& plane,
                    float enough);
 
-/** For each sample of a tile, a bit: it lies near a plane; its normal is nearly that of the
- * plane. */
+/** For each sample of a tile, a bit: it has a normal, trusted or not; this is as near to
+ * that of a plane as on most points of a flat surface. */
+struct NormalsAtPlane {
+  std::uint16_t known = 0, near = 0;
+};
+
+/** Looks at the tile that begins with sample \a begin. */
+NormalsAtPlane
+normalsAtPlane (const PlaneSamples& samples,
+                std::size_t begin,
+                const PlaneEquation& plane);
+
+/** For each sample of a tile, a bit: it lies near a plane; its trusted normal is nearly that
+ * of the plane. */
 struct SamplesAtPlane {
   std::uint16_t near = 0, along = 0;
 };

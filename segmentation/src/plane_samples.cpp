@@ -66,8 +66,9 @@ PlaneSamples::resize (int image_width, int image_height)
   const std::size_t size = static_cast<std::size_t> (tiles_u * tiles_v) * tile_size;
   for (auto* values : {&x, &y, &z, &normal_x, &normal_y, &normal_z})
     values->assign (size, 0.f);
-  for (auto* values : {&sigma, &relative_sigma, &weight, &min_cosine})
+  for (auto* values : {&sigma, &relative_sigma, &weight})
     values->resize (size);
+  min_cosine.assign (size, -1.f);
   if (width != old_width || height != old_height)
     findNeighbours();
 }
@@ -139,12 +140,13 @@ PlaneSamples::compute (const OrganizedPoints& points,
       y[i] = p[1];
       z[i] = p[2];
       const float* normal = normals.normal + pixel * normals.stride;
-      if (!isUnit (normal) ||
-          normals.curvature[pixel * normals.stride] > maximum_curvature)
+      if (!isUnit (normal))
         continue;
       normal_x[i] = normal[0];
       normal_y[i] = normal[1];
       normal_z[i] = normal[2];
+      if (!(normals.curvature[pixel * normals.stride] > maximum_curvature))
+        min_cosine[i] = 0.f;
     }
   }
   fillUncertainties (*this, noise);

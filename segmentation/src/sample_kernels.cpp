@@ -6,9 +6,7 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
-#include "plane_vectors-inl.h"
-
-#include <cmath>
+#include "sample_vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -16,76 +14,9 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-/** Calls \a body (i) for the first sample of each vector in the tile that begins with
- * sample \a begin. */
-template <typename Body>
-HWY_INLINE void
-forEachVectorFrom (std::size_t begin, const Body& body)
-{
-  for (std::size_t lane = 0; lane < PlaneSamples::tile_size;
-       lane += hn::Lanes (Floats()))
-    body (begin + lane);
-}
-
-/** The same for all \a tiles. */
-template <typename Body>
-HWY_INLINE void
-forEachVector (const std::vector<std::uint32_t>& tiles, const Body& body)
-{
-  for (const std::uint32_t tile : tiles)
-    forEachVectorFrom (tile * PlaneSamples::tile_size, body);
-}
-
-HWY_INLINE Points
-pointsAt (const PlaneSamples& samples, std::size_t i)
-{
-  return {load (&samples.x[i]), load (&samples.y[i]), load (&samples.z[i])};
-}
-
-HWY_INLINE Points
-normalsAt (const PlaneSamples& samples, std::size_t i)
-{
-  return {load (&samples.normal_x[i]),
-          load (&samples.normal_y[i]),
-          load (&samples.normal_z[i])};
-}
-
-HWY_INLINE Points
-relativePoints (const PlaneSamples& samples,
-                std::size_t i,
-                const double (&reference)[3])
-{
-  return difference (pointsAt (samples, i),
-                     {set (static_cast<float> (reference[0])),
-                      set (static_cast<float> (reference[1])),
-                      set (static_cast<float> (reference[2]))});
-}
-
-HWY_INLINE unsigned
-bitsOf (Mask mask)
-{
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits (Floats(), mask, bytes);
-  return bytes[0] | static_cast<unsigned> (bytes[1]) << 8;
-}
-
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
  * each metre, as depth noise tilts far normals. */
-constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, largest_angle = 60.f;
-
-/** The cosine of this angle. */
-HWY_INLINE V
-minCosine (V range)
-{
-  const V degrees =
-      hn::Min (hn::MulAdd (range, set (angle_per_metre), set (angle_at_sensor)),
-               set (largest_angle));
-  const V angle = hn::Mul (degrees, set (static_cast<float> (M_PI / 180.)));
-  const V square = hn::Mul (angle, angle);
-  V series = hn::NegMulAdd (square, set (1.f / 720.f), set (1.f / 24.f));
-  series = hn::NegMulAdd (square, series, set (1.f / 2.f));
-  return hn::NegMulAdd (square, series, set (1.f));
-}
+constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f;
 
 } // namespace
 
@@ -95,7 +26,6 @@ fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
   const V none = set (-1.f);
   for (std::size_t i = 0; i < samples.size(); i += hn::Lanes (Floats())) {
     const V squared_range = squaredLength (pointsAt (samples, i));
-    const V squared_normal = squaredLength (normalsAt (samples, i));
     const Mask measured = hn::Gt (squared_range, hn::Zero (Floats()));
     const V range = hn::Sqrt (squared_range);
     const V sigma = sigmaOf (noise, squared_range);
@@ -108,9 +38,8 @@ fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
                                     hn::Div (set (1.f), hn::Mul (relative, relative))),
                 Floats(),
                 &samples.weight[i]);
-    hn::StoreU (hn::IfThenElse (hn::Gt (squared_normal, hn::Zero (Floats())),
-                                minCosine (range),
-                                none),
+    const V degrees = hn::MulAdd (range, set (angle_per_metre), set (angle_at_sensor));
+    hn::StoreU (hn::IfThenElse (isTrusted (samples, i), cosineOf (degrees), none),
                 Floats(),
                 &samples.min_cosine[i]);
   }
@@ -153,54 +82,6 @@ sumSamplesHere (const PlaneSamples& samples,
   totals (all, sums);
 }
 
-void
-sumNormalsHere (const PlaneSamples& samples,
-                const std::vector<std::uint32_t>& tiles,
-                const float* claimed,
-                const double (&reference)[3],
-                double (&sums)[22])
-{
-  Sums all;
-  V normals[12];
-  for (V& value : normals)
-    value = hn::Zero (Floats());
-  forEachVector (tiles, [&] (std::size_t i) {
-    const V weight =
-        hn::IfThenElseZero (hn::Ge (load (&samples.min_cosine[i]), hn::Zero (Floats())),
-                            load (claimed + i));
-    const Points p = relativePoints (samples, i, reference);
-    all.add (p, weight);
-    const Points n = normalsAt (samples, i);
-    const V components[3] = {n.x, n.y, n.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const V component = hn::Mul (weight, components[k]);
-      normals[k] = hn::Add (normals[k], component);
-      normals[3 + 3 * k] = hn::MulAdd (component, p.x, normals[3 + 3 * k]);
-      normals[4 + 3 * k] = hn::MulAdd (component, p.y, normals[4 + 3 * k]);
-      normals[5 + 3 * k] = hn::MulAdd (component, p.z, normals[5 + 3 * k]);
-    }
-  });
-  totals (all, sums);
-  for (std::size_t k = 0; k < 12; ++k)
-    sums[10 + k] = total (normals[k]);
-}
-
-std::uint16_t
-compatibleSamplesHere (const PlaneSamples& samples,
-                       std::size_t begin,
-                       const PlaneEquation& plane,
-                       float enough)
-{
-  unsigned bits = 0;
-  forEachVectorFrom (begin, [&] (std::size_t i) {
-    const V cosine = dot (plane, normalsAt (samples, i));
-    const Mask agrees = hn::Ge (hn::Abs (cosine),
-                                hn::Min (load (&samples.min_cosine[i]), set (enough)));
-    bits |= bitsOf (agrees) << (i - begin);
-  });
-  return static_cast<std::uint16_t> (bits);
-}
-
 SamplesAtPlane
 samplesAtPlaneHere (const PlaneSamples& samples,
                     std::size_t begin,
@@ -222,7 +103,9 @@ samplesAtPlaneHere (const PlaneSamples& samples,
     near |= bitsOf (hn::And (hn::Gt (squared_range, set (min_squared_range)),
                              hn::Le (hn::Mul (distance, range), reach)))
             << (i - begin);
-    along |= bitsOf (hn::Ge (hn::Abs (cosine), set (least_cosine))) << (i - begin);
+    along |= bitsOf (hn::And (isTrusted (samples, i),
+                              hn::Ge (hn::Abs (cosine), set (least_cosine))))
+             << (i - begin);
   });
   return {static_cast<std::uint16_t> (near), static_cast<std::uint16_t> (along)};
 }
@@ -239,8 +122,6 @@ namespace rgbd_planes {
 HWY_EXPORT (fillUncertaintiesHere);
 HWY_EXPORT (claimTileHere);
 HWY_EXPORT (sumSamplesHere);
-HWY_EXPORT (sumNormalsHere);
-HWY_EXPORT (compatibleSamplesHere);
 HWY_EXPORT (samplesAtPlaneHere);
 
 void
@@ -268,25 +149,6 @@ sumSamples (const PlaneSamples& samples,
             double (&sums)[10])
 {
   HWY_DYNAMIC_DISPATCH (sumSamplesHere) (samples, tiles, claimed, reference, sums);
-}
-
-void
-sumNormals (const PlaneSamples& samples,
-            const std::vector<std::uint32_t>& tiles,
-            const float* claimed,
-            const double (&reference)[3],
-            double (&sums)[22])
-{
-  HWY_DYNAMIC_DISPATCH (sumNormalsHere) (samples, tiles, claimed, reference, sums);
-}
-
-std::uint16_t
-compatibleSamples (const PlaneSamples& samples,
-                   std::size_t begin,
-                   const PlaneEquation& plane,
-                   float enough)
-{
-  return HWY_DYNAMIC_DISPATCH (compatibleSamplesHere) (samples, begin, plane, enough);
 }
 
 SamplesAtPlane

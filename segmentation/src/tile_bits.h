@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/plane_samples.h>
 
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,14 +15,20 @@ namespace rgbd_planes {
 // Sets of the samples of a tile, a bit for each.
 
 /** The samples for whose owner \a is_one (owner) is true. */
-template <typename IsOne>
+template <typename Owner, typename IsOne>
 std::uint16_t
-samplesWhere (const std::int32_t* owners, const IsOne& is_one)
+samplesWhere (const Owner* owners, const IsOne& is_one)
 {
   unsigned bits = 0;
   for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
     bits |= static_cast<unsigned> (is_one (owners[k])) << k;
   return static_cast<std::uint16_t> (bits);
+}
+
+inline std::size_t
+count (unsigned samples)
+{
+  return std::bitset<PlaneSamples::tile_size> (samples).count();
 }
 
 /** \a samples and those beside them. */

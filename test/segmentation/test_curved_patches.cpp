@@ -129,3 +129,41 @@ TEST (CurvedPatches, AFarWallThatDepthBendsIsNone)
   EXPECT_GE (planes, 1u);
   EXPECT_EQ (extractWith (wall, true).planes().size(), planes);
 }
+
+TEST (CurvedPatches, FoldsThatStayNearAPlaneAreNone)
+{
+  // 2 cm deep to both sides, and 25 cm from one to the next.
+  const auto folds = [] (float depth) {
+    return relief (
+        [=] (float x, float y) {
+          return 2.f + depth * std::sin (50.f * x) * std::sin (50.f * y);
+        },
+        200,
+        440);
+  };
+  const auto deep = folds (0.02f);
+  EXPECT_GE (extractWith (deep, false).planes().size(), 1u);
+  EXPECT_EQ (extractWith (deep, true).planes().size(), 0u);
+  EXPECT_EQ (extractWith (folds (0.003f), true).planes().size(), 1u);
+}
+
+TEST (CurvedPatches, ACeilingSeenAtAFlatAngleIsNone)
+{
+  // Depth is off by what is a pixel away, as in synthetic recordings, up to 25 degrees of
+  // the normals of a surface 0.4 m above the camera.
+  std::mt19937 generator (1);
+  std::uniform_int_distribution<int> shift (-1, 1);
+  auto cloud = pcl::make_shared<Cloud> (640, 480);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u) {
+      const auto slope = [] (int row) {
+        return (239.5f - static_cast<float> (row)) / 525.f;
+      };
+      const float z = v < 160 ? 0.4f / slope (v + shift (generator)) : synthetic::nan;
+      (*cloud) (u,
+                v) = {(static_cast<float> (u) - 319.5f) / 525.f * z, -slope (v) * z, z};
+    }
+  const PlaneExtraction extraction = extractWith (cloud, true);
+  ASSERT_GE (extraction.planes().size(), 1u);
+  EXPECT_GT (extraction.moments()[0].points, 640u * 160u * 9u / 10u);
+}

@@ -30,7 +30,8 @@ struct PlaneAdditions {
   bool repeat = true;
   /** Candidates on the same plane are joined. */
   bool joining = true;
-  /** Planes beside which a surface goes on, and turns, are dropped. */
+  /** Planes beside which a surface goes on, and turns, are dropped, and those to which
+   * most normals of their points do not belong. */
   bool patches = true;
   /** Each point gets the nearest plane of those around it; without, that of the
    * sample in its cell. */

@@ -97,7 +97,23 @@ public:
     return weighted_moments_;
   }
 
+  /** \brief After samples were assigned, the share of the normals of a plane's samples,
+   * trusted or not, that are as near to its own as on most points of a flat surface. */
+  double
+  nearNormals (std::size_t plane) const
+  {
+    const Normals& normals = normals_[plane];
+    return normals.known > 0 ? static_cast<double> (normals.near) /
+                                   static_cast<double> (normals.known)
+                             : 1.;
+  }
+
 private:
+  /** How many samples of a plane have a normal, and one near its own. */
+  struct Normals {
+    std::size_t known = 0, near = 0;
+  };
+
   /** A plane that the points of a tile may lie on, and a bit for each sample of the tile
    * whose normal agrees. */
   struct Candidate {
@@ -137,6 +153,11 @@ private:
             std::size_t first);
 
   void
+  compareNormals (const PlaneSamples& samples,
+                  const std::vector<Plane>& planes,
+                  std::size_t tile);
+
+  void
   assignTile (const PointBlock& points,
               const std::int32_t* samples_of_points,
               const PlaneSamples& samples,
@@ -158,6 +179,7 @@ private:
   std::vector<std::uint32_t> tile_labels_;
   std::vector<std::uint32_t> labels_;
   std::vector<PlaneMoments> moments_, weighted_moments_;
+  std::vector<Normals> normals_;
 };
 
 } // namespace rgbd_planes

@@ -47,8 +47,8 @@ struct PlaneExtractionParameters {
 struct PlaneRejections {
   /** The plane had too few points. */
   std::size_t too_few_points = 0;
-  /** The normals turn with the place, on the candidate or around it: a part of a curved
-   * surface. */
+  /** The normals turn with the place, on the candidate or around it, or too many of them
+   * differ from that of the plane: a part of a curved or uneven surface. */
   std::size_t curved = 0;
   /** Planes that were found before had taken the points. */
   std::size_t claimed_by_larger = 0;
@@ -144,7 +144,7 @@ private:
   assign (const OrganizedPoints& points, const std::vector<std::uint8_t>& selected);
 
   bool
-  isCurvedPatch (std::size_t plane) const;
+  isPatch (std::size_t plane) const;
 
   void
   finish (std::size_t width);
@@ -161,6 +161,7 @@ private:
   PlaneAssignment assignment_;
   std::vector<std::int32_t> owners_;
   std::vector<Plane> planes_;
+  std::vector<std::uint8_t> is_uneven_;
   std::vector<PlaneMoments> moments_;
   std::vector<Eigen::Matrix4d> parameter_covariances_;
   std::vector<std::uint32_t> order_, numbers_;

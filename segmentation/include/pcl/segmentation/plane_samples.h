@@ -94,6 +94,7 @@ public:
   /** Pixels between samples, samples and tiles along both axes. */
   int step = 1, width = 0, height = 0, tiles_u = 0, tiles_v = 0;
 
+  /** (0, 0, 0) where there is no point or normal. */
   std::vector<float> x, y, z, normal_x, normal_y, normal_z;
   /** Standard deviation of depth, and relative to the range; -1 where there is no
    * measurement or a plane took it. */
