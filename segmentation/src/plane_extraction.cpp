@@ -22,10 +22,8 @@ constexpr double min_candidate_share = 0.15;
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 1.15f;
 /** The mean square of the errors of points on a curved or an uneven surface, in standard
- * deviations, is larger... */
+ * deviations, is larger. */
 constexpr double min_error_if_curved = 0.5, min_error_if_uneven = 0.8;
-/** ... and a smaller share of the normals is near that of the plane than on a flat one. */
-constexpr double min_near_normals = 0.75;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
@@ -99,7 +97,7 @@ PlaneExtraction::assign (const OrganizedPoints& points,
   // Samples near a crease may lie nearer to the plane on its other side.
   assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
   for (std::size_t k = 0; k < planes_.size(); ++k) {
-    is_uneven_[k] = assignment_.nearNormals (k) < min_near_normals;
+    is_uneven_[k] = assignment_.nearNormals (k) < parameters_.min_near_normals;
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
   }

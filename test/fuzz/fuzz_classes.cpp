@@ -151,6 +151,7 @@ private:
     segmentation_.setAngularThreshold (anyFloat (data_));
     segmentation_.setDistanceThreshold (anyFloat (data_));
     segmentation_.setMaximumCurvature (anyFloat (data_));
+    segmentation_.setMinimumNearNormals (anyFloat (data_));
     segmentation_.setDepthNoise (anyNoise (data_));
     segmentation_.setNormalSpaceGrid (data_.ConsumeBool() ? Grid::voxels
                                                           : Grid::spherical);

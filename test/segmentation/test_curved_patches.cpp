@@ -3,6 +3,8 @@
 
 #include "plane_clouds.h"
 
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -145,6 +147,18 @@ TEST (CurvedPatches, FoldsThatStayNearAPlaneAreNone)
   EXPECT_GE (extractWith (deep, false).planes().size(), 1u);
   EXPECT_EQ (extractWith (deep, true).planes().size(), 0u);
   EXPECT_EQ (extractWith (folds (0.003f), true).planes().size(), 1u);
+
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+  segmentation.setInputCloud (deep);
+  segmentation.setInputNormals (estimateNormals (deep));
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers;
+  EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
+  segmentation.segment (models, inliers);
+  EXPECT_TRUE (models.empty());
+  segmentation.setMinimumNearNormals (0.);
+  segmentation.segment (models, inliers);
+  EXPECT_FALSE (models.empty());
 }
 
 TEST (CurvedPatches, ACeilingSeenAtAFlatAngleIsNone)

@@ -51,6 +51,7 @@ expectCorrectedPoints (Segmentation& segmentation)
 {
   segmentation.setDepthNoise (DepthNoise::kinectV1Corrected());
   segmentation.setDistanceThreshold (0.007);
+  segmentation.setMinimumNearNormals (0.4);
 }
 
 /** \brief What a segmentation writes. */

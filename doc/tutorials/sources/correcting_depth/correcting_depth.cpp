@@ -29,6 +29,7 @@ findPlanes (const Cloud::ConstPtr& cloud, bool is_corrected)
   if (is_corrected) {
     segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise::kinectV1Corrected());
     segmentation.setDistanceThreshold (0.007);
+    segmentation.setMinimumNearNormals (0.4);
   }
   segmentation.setInputCloud (cloud);
   segmentation.setInputNormals (normals);

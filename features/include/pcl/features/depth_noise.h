@@ -49,7 +49,8 @@ struct DepthNoise {
   }
 
   /** \brief What pcl::DepthWarpCorrection leaves of the errors of a Kinect v1: 0.5 mm +
-   * 0.8 mm z^2, for the segmentation of planes with a distance threshold of 7 mm.
+   * 0.8 mm z^2, for the segmentation of planes with a distance threshold of 7 mm
+   * and a minimum share of near normals of 0.4.
    *
    * These are the standard deviation of means over a few pixels, by which planes are told
    * apart; single points scatter by 1.43 mm z^2 (Khoshelham and Elberink, 2012), which

@@ -144,6 +144,21 @@ public:
     return parameters_.maximum_curvature;
   }
 
+  /** \brief Planes are dropped as parts of uneven surfaces, such as clothes, where a smaller
+   * share of the normals of their points is near their own, and the points are farther off
+   * than on flat surfaces; 0 to 1, default 0.75, 0 keeps all. */
+  void
+  setMinimumNearNormals (double share)
+  {
+    parameters_.min_near_normals = share;
+  }
+
+  double
+  getMinimumNearNormals () const
+  {
+    return parameters_.min_near_normals;
+  }
+
   /** \brief The noise of the sensor, which says how far the points of a plane spread;
    * default rgbd_planes::DepthNoise::kinectV1 (). A noise of 0 m or less, NaN or Inf, and
    * a range of 0 m or less, are refused. */

@@ -38,6 +38,9 @@ struct PlaneExtractionParameters {
   /** Points with a larger curvature start no cluster, and may join a plane whatever
    * their normal. */
   float maximum_curvature = 0.03f;
+  /** Planes with a smaller share of normals near their own are dropped where their points are
+   * far off. */
+  double min_near_normals = 0.75;
   NormalSpaceGrid grid = NormalSpaceGrid::voxels;
   DepthNoise noise;
   PlaneAdditions additions;
