@@ -19,17 +19,6 @@ namespace {
  * level surfaces, such as tops of boxes, is known. */
 constexpr float stretch = 3.f;
 constexpr float level_stretch = 1.5f;
-/** A point so many standard deviations above a plane is not there by noise. */
-constexpr float clear_sigmas = 3.f;
-/** Objects have so many clear points, in parts of min_points and of their own points. */
-constexpr double clear_of_min_points = 0.6;
-constexpr double clear_of_points = 0.25;
-/** A cluster that hangs together with the outside in more than a few points, at least two or a
- * part of min_points, and along more than a part of its width, the square root of its points,
- * is cut off from something larger. */
-constexpr double few_leaks = 2.;
-constexpr double leaks_of_min_points = 0.1;
-constexpr double leaks_of_width = 0.1;
 
 } // namespace
 
@@ -194,77 +183,6 @@ ObjectClusters::heightAbove (const SupportPlane& support,
   const auto width = static_cast<std::uint32_t> (points_.width);
   return support.plane.distance (points_[v * width + u]) -
          support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
-}
-
-void
-ObjectClusters::sumUp()
-{
-  const LinkLimit limit = linkLimit();
-  for (std::uint32_t k = 0; k < runs_.size(); ++k) {
-    Run& run = runs_[k];
-    const std::uint32_t root = sets_.root (k);
-    if (root == k) {
-      run.set = sums_.size();
-      sums_.emplace_back();
-      sums_.back().support = static_cast<std::size_t> (
-          bases_[place_[run.first] - std::size_t{above}] - supports_->data());
-    }
-    else
-      run.set = runs_[root].set;
-    Sums& sums = sums_[run.set];
-    sums.points += run.length;
-    sums.clear += clearPoints (run, (*supports_)[sums.support]);
-    sums.leaks += leaks (run, limit);
-  }
-}
-
-std::size_t
-ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
-{
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const std::uint32_t v = run.first / width, u = run.first % width;
-  std::size_t count = 0;
-  for (std::uint32_t k = 0; k < run.length; ++k) {
-    const float* p = points_[run.first + k];
-    const float height = heightAbove (support, v, u + k);
-    count += height >= parameters_.min_object_height &&
-             !isWithinNoise (p, support.plane, height, clear_sigmas, parameters_.noise);
-  }
-  return count;
-}
-
-std::size_t
-ObjectClusters::leaks (const Run& run, const LinkLimit& limit) const
-{
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const std::uint32_t u = run.first % width, last = run.first + run.length - 1;
-  const bool has_above = run.first >= width;
-  const bool has_below = last + width < points_.size();
-  const bool has_left = u > 0;
-  const bool has_right = u + run.length < width;
-  std::size_t count = 0;
-  for (std::uint32_t i = run.first; i <= last; ++i) {
-    const auto leaksTo = [&] (std::uint32_t j) {
-      return place_[j] == outside && limit.allows (points_[i], points_[j]);
-    };
-    count += (has_above && leaksTo (i - width)) || (has_below && leaksTo (i + width)) ||
-             (i == run.first && has_left && leaksTo (i - 1)) ||
-             (i == last && has_right && leaksTo (i + 1));
-  }
-  return count;
-}
-
-bool
-ObjectClusters::isObject (const Sums& sums) const
-{
-  const auto points = static_cast<double> (sums.points);
-  const auto clear = static_cast<double> (sums.clear);
-  return sums.points >= parameters_.min_points &&
-         clear >= clear_of_min_points * parameters_.min_points &&
-         clear >= clear_of_points * points &&
-         static_cast<double> (sums.leaks) <=
-             std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
-                 leaks_of_width * std::sqrt (points);
 }
 
 void

@@ -17,6 +17,9 @@ namespace {
 /** Samples along the longer side of large images and of small ones, about. */
 constexpr int samples_of_large = 160, samples_of_small = 107;
 constexpr int large_side = 480;
+/** Normals with more than this part of the largest curvature are not trusted. */
+constexpr float trusted_share = 0.5f;
+
 float
 squaredRange (const float* p)
 {
@@ -69,6 +72,7 @@ PlaneSamples::resize (int image_width, int image_height)
   for (auto* values : {&sigma, &relative_sigma, &weight})
     values->resize (size);
   min_cosine.assign (size, -1.f);
+  is_seed.assign (size, 0);
   if (width != old_width || height != old_height)
     findNeighbours();
 }
@@ -98,7 +102,7 @@ PlaneSamples::findClustered (std::vector<std::uint32_t>& clustered) const
   for (std::size_t i = 0; i < size(); ++i) {
     clustered[number] = static_cast<std::uint32_t> (i);
     number += static_cast<std::size_t> (isFree (i)) &
-              static_cast<std::size_t> (min_cosine[i] >= 0.f);
+              static_cast<std::size_t> (is_seed[i]);
   }
   clustered.resize (number);
 }
@@ -145,7 +149,9 @@ PlaneSamples::compute (const OrganizedPoints& points,
       normal_x[i] = normal[0];
       normal_y[i] = normal[1];
       normal_z[i] = normal[2];
-      if (!(normals.curvature[pixel * normals.stride] > maximum_curvature))
+      const float curvature = normals.curvature[pixel * normals.stride];
+      is_seed[i] = !(curvature > maximum_curvature);
+      if (!(curvature > trusted_share * maximum_curvature))
         min_cosine[i] = 0.f;
     }
   }

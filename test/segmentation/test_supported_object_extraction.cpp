@@ -468,6 +468,22 @@ TEST (SupportedObjectExtraction, WallsAndThingsUnderTheTableAreNoObjects)
   EXPECT_GT (iou (objects.front(), view, 5), 0.85);
 }
 
+TEST (SupportedObjectExtraction, WhatGoesOnBehindSomethingNearerIsNoObject)
+{
+  const Box post{{2.f, 0.f, 0.f}, {0.08f, 0.08f, 1.f}};
+  const Box stump{{2.f, 0.f, 0.f}, {0.08f, 0.08f, 0.2f}};
+  // It hides what is higher than 25 cm at the post.
+  const Box beam{{1.5f, 0.f, 0.54f}, {0.05f, 0.6f, 0.6f}};
+  for (const float roll : {0.f, 0.5f, 1.f, 1.5f}) {
+    Camera camera;
+    camera.roll = roll * static_cast<float> (M_PI);
+    const View hidden = look ({floor_slab, post, beam}, camera);
+    ASSERT_GT (hidden.pixelsOf (1).size(), 200u);
+    EXPECT_TRUE (extract (hidden).empty()) << roll;
+    EXPECT_EQ (extract (look ({floor_slab, stump, beam}, camera)).size(), 1u) << roll;
+  }
+}
+
 TEST (SupportedObjectExtraction, ThingsOnTheFloorAreObjects)
 {
   const View view = look ({floor_slab, {{1.5f, 0.f, 0.f}, {0.2f, 0.2f, 0.2f}}});

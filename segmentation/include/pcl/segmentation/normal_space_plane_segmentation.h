@@ -131,7 +131,7 @@ public:
   }
 
   /** \brief Points with a larger curvature start no cluster, but may still join a
-   * plane; default 0.03. */
+   * plane; with more than half of it, whatever their normal. Default 0.08. */
   void
   setMaximumCurvature (double maximum_curvature)
   {

@@ -26,7 +26,7 @@ struct ObjectCluster {
  *
  * Planes on objects support nothing here. Things that hang together with what lies outside
  * of the hull or too high, such as walls, are no objects, nor is what lies under a higher
- * supporting plane, such as the legs of a table.
+ * supporting plane, such as the legs of a table, or has its top hidden behind something nearer.
  */
 class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
 public:
@@ -69,6 +69,9 @@ private:
     std::size_t points = 0;
     std::size_t clear = 0; /**< points that are higher than noise */
     std::size_t leaks = 0; /**< points that hang together with one outside */
+    std::size_t tops = 0; /**< points with nothing above them in the image that is above
+                            * the same plane */
+    std::size_t hidden_tops = 0; /**< those that end at something nearer */
     std::size_t support = 0;
     std::size_t cluster = 0;
   };
@@ -102,6 +105,12 @@ private:
 
   std::size_t
   leaks (const Run& run, const LinkLimit& limit) const;
+
+  void
+  countTops (const Run& run, const LinkLimit& limit, Sums& sums) const;
+
+  std::uint32_t
+  nextUpwards (std::uint32_t i) const;
 
   bool
   isObject (const Sums& sums) const;

@@ -35,9 +35,9 @@ struct PlaneExtractionParameters {
   /** Largest distance of a point from its plane, along the viewing ray, at a range of
    * 1 m, in metres; elsewhere the same number of standard deviations of depth. */
   double distance_threshold = 0.009;
-  /** Points with a larger curvature start no cluster, and may join a plane whatever
-   * their normal. */
-  float maximum_curvature = 0.03f;
+  /** Points with a larger curvature start no cluster; with more than half of it, they may
+   * join a plane whatever their normal. */
+  float maximum_curvature = 0.08f;
   /** Planes with a smaller share of normals near their own are dropped where their points are
    * far off. */
   double min_near_normals = 0.75;

@@ -36,7 +36,8 @@ public:
    * \param[in] normals one for each point
    * \param[in] selected not 0 for the points to look at; empty for all
    * \param[in] noise standard deviation of depth; points beyond its range are left out
-   * \param[in] maximum_curvature normals with a larger curvature are not trusted
+   * \param[in] maximum_curvature points with a larger curvature start no cluster; normals
+   * with more than half of it are not trusted
    */
   void
   compute (const OrganizedPoints& points,
@@ -104,6 +105,8 @@ public:
   /** The least cosine between the normals of the point and of its plane; -1 where the
    * normal is not trusted. */
   std::vector<float> min_cosine;
+  /** Not 0 where the point may start a cluster. */
+  std::vector<std::uint8_t> is_seed;
 
   struct Neighbours {
     std::uint32_t left, above_left, above, above_right;
@@ -117,7 +120,7 @@ public:
     return sigma[i] >= 0.f;
   }
 
-  /** \brief The samples that start clusters: free, and with a trusted normal. */
+  /** \brief The samples that start clusters, of those that are free. */
   void
   findClustered (std::vector<std::uint32_t>& clustered) const;
 

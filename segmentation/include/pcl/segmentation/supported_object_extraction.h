@@ -58,8 +58,9 @@ struct SupportedObject {
  * image. Heights are those above the points of the plane around, for cameras bend planes. A
  * point counts as being above only where depth noise does not explain it. What
  * continues outside of the hull or higher up is no object (walls, people), nor is what lies
- * under a higher supporting plane (legs of a table), or on a plane most of which is elsewhere
- * (the wall behind a table). A thing on a thing is one object with it,
+ * under a higher supporting plane (legs of a table), on a plane most of which is elsewhere
+ * (the wall behind a table), or mostly ends at something nearer above it in the image, for
+ * how high it is cannot be seen. A thing on a thing is one object with it,
  * but for setSplitAtConcaveEdges().
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
