@@ -92,36 +92,41 @@ ObjectClusters::leaks (const Run& run, const LinkLimit& limit) const
 void
 ObjectClusters::countTops (const Run& run, const LinkLimit& limit, Sums& sums) const
 {
+  const std::ptrdiff_t step = stepUpwards (points_[run.first]);
   for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
-    const std::uint32_t next = nextUpwards (i);
+    const std::uint32_t next = nextMeasured (i, step);
     if (next == i || place_[next] == place_[i])
       continue;
-    const Eigen::Map<const Eigen::Vector3f> top (points_[i]), other (points_[next]);
+    const float *top = points_[i], *other = points_[next];
     ++sums.tops;
-    sums.hidden_tops += other.squaredNorm() < top.squaredNorm() &&
-                        !limit.allows (top.data(), other.data());
+    sums.hidden_tops +=
+        squaredRange (other) < squaredRange (top) && !limit.allows (top, other);
   }
 }
 
-/** The next measured pixel in the direction of the image that is closest to upwards; the
- * pixel itself where there is none. */
-std::uint32_t
-ObjectClusters::nextUpwards (std::uint32_t i) const
+/** From a pixel that sees \a p to the one beside it that is closest to upwards. */
+std::ptrdiff_t
+ObjectClusters::stepUpwards (const float* p) const
 {
-  const float* p = points_[i];
   const Eigen::Vector3f& up = bases_.back()->plane.normal;
   const float right = up.x() * p[2] - up.z() * p[0];
   const float down = up.y() * p[2] - up.z() * p[1];
   const bool along_row = std::fabs (right) > std::fabs (down);
-  const int width = points_.width, u = static_cast<int> (i) % width,
-            v = static_cast<int> (i) / width;
-  const bool forward = along_row ? right > 0.f : down > 0.f;
-  const int last = along_row ? width - 1 : points_.height - 1, at = along_row ? u : v;
-  const int step = (forward ? 1 : -1) * (along_row ? 1 : width);
-  int next = static_cast<int> (i);
-  for (int left = forward ? last - at : at; left > 0; --left) {
-    next += step;
-    if (isMeasured (points_[static_cast<std::size_t> (next)]))
+  return (along_row ? 1 : points_.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
+}
+
+/** The pixel itself where there is none up to the border of the image. */
+std::uint32_t
+ObjectClusters::nextMeasured (std::uint32_t i, std::ptrdiff_t step) const
+{
+  const auto width = static_cast<std::ptrdiff_t> (points_.width);
+  const bool along_row = step * step == 1;
+  const std::ptrdiff_t begin = along_row ? i / width * width : 0;
+  const std::ptrdiff_t end =
+      along_row ? begin + width : static_cast<std::ptrdiff_t> (points_.size());
+  for (std::ptrdiff_t next = i + step; next >= begin && next < end; next += step) {
+    const auto k = static_cast<std::size_t> (next);
+    if (place_[k] == place_[i] || isMeasured (points_[k]))
       return static_cast<std::uint32_t> (next);
   }
   return i;

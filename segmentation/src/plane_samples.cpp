@@ -20,12 +20,6 @@ constexpr int large_side = 480;
 /** Normals with more than this part of the largest curvature are not trusted. */
 constexpr float trusted_share = 0.5f;
 
-float
-squaredRange (const float* p)
-{
-  return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-}
-
 int
 stepOf (int side)
 {
@@ -101,8 +95,8 @@ PlaneSamples::findClustered (std::vector<std::uint32_t>& clustered) const
   std::size_t number = 0;
   for (std::size_t i = 0; i < size(); ++i) {
     clustered[number] = static_cast<std::uint32_t> (i);
-    number += static_cast<std::size_t> (isFree (i)) &
-              static_cast<std::size_t> (is_seed[i]);
+    number +=
+        static_cast<std::size_t> (isFree (i)) & static_cast<std::size_t> (is_seed[i]);
   }
   clustered.resize (number);
 }

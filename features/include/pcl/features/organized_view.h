@@ -49,5 +49,12 @@ isMeasured (const float* p)
          (p[0] != 0.f || p[1] != 0.f || p[2] != 0.f);
 }
 
+/** \brief The square of the distance of \a point from the origin. */
+inline float
+squaredRange (const float* point)
+{
+  return point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

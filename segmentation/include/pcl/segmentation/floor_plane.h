@@ -33,13 +33,6 @@ struct LabelledPlanes {
   }
 };
 
-/** \brief The square of the distance of \a point from the camera. */
-inline float
-squaredRange (const float* point)
-{
-  return point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
-}
-
 /** \brief Whether \a point is a measurement, and near enough for its sensor. */
 inline bool
 isUsable (const float* point, const DepthNoise& noise)

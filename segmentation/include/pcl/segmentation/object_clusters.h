@@ -7,6 +7,7 @@
 #include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/support_planes.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -109,8 +110,11 @@ private:
   void
   countTops (const Run& run, const LinkLimit& limit, Sums& sums) const;
 
+  std::ptrdiff_t
+  stepUpwards (const float* p) const;
+
   std::uint32_t
-  nextUpwards (std::uint32_t i) const;
+  nextMeasured (std::uint32_t i, std::ptrdiff_t step) const;
 
   bool
   isObject (const Sums& sums) const;

@@ -64,7 +64,7 @@ isWithinNoise (const float* p,
                const DepthNoise& noise)
 {
   // The ray of length 1 rises by (height - d) / range: without division and root.
-  const float squared = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  const float squared = squaredRange (p);
   const float rise = sigmas * noise.sigma (squared) * (height - plane.d);
   return height * height * squared <= rise * rise;
 }
