@@ -3,6 +3,8 @@
 
 #include <pcl/segmentation/plane_extraction.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -24,6 +26,8 @@ constexpr float growth_reach = 1.15f;
 /** The mean square of the errors of points on a curved or an uneven surface, in standard
  * deviations, is larger. */
 constexpr double min_error_if_curved = 0.5, min_error_if_uneven = 0.8;
+/** Strips are longer, in widths. */
+constexpr double max_length = 5.;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
@@ -41,6 +45,15 @@ effectiveParameters (const PlaneExtractionParameters& parameters)
     result.noise.quadratic = 0.f;
   }
   return result;
+}
+
+bool
+isStrip (const PlaneMoments& points)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (points.covariance(),
+                                                               Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d& squares = solver.eigenvalues();
+  return squares[2] > max_length * max_length * squares[1];
 }
 
 double
@@ -175,7 +188,8 @@ PlaneExtraction::joinParts()
 }
 
 /** Whether the plane is part of a curved surface, or lies in an uneven one, and the points
- * that it got in the end are not those of a flat one. */
+ * that it got in the end are not those of a flat one. The normals of strips do not tell:
+ * they are averages over windows that reach beyond. */
 bool
 PlaneExtraction::isPatch (std::size_t plane) const
 {
@@ -184,7 +198,7 @@ PlaneExtraction::isPatch (std::size_t plane) const
                        static_cast<double> (points.points);
   return parameters_.additions.patches &&
          ((patches_.isPatch (plane) && error > min_error_if_curved) ||
-          (is_uneven_[plane] && error > min_error_if_uneven));
+          (is_uneven_[plane] && error > min_error_if_uneven && !isStrip (points)));
 }
 
 /** Drops planes with too few points, sorts the others, and fits them. */

@@ -161,6 +161,29 @@ TEST (CurvedPatches, FoldsThatStayNearAPlaneAreNone)
   EXPECT_FALSE (models.empty());
 }
 
+TEST (CurvedPatches, NormalsOfStripsDoNotTell)
+{
+  // Two thirds of the normals are off by 40 degrees, as their curvature tells.
+  const auto planesOf = [] (int half_width, int half_height) {
+    Surface part = tiltedPlane (2.f, 0.f, 0.f);
+    part.covers = [=] (int u, int v) {
+      return std::abs (u - 320) < half_width && std::abs (v - 240) < half_height;
+    };
+    const std::vector<Surface> surfaces{part};
+    const Scene scene = render (surfaces, 640, 480, kinectSigma);
+    const auto normals = trueNormals (scene, surfaces);
+    for (std::size_t i = 0; i < normals->size(); ++i)
+      if (i / 640 / 4 % 3 != 0) {
+        (*normals)[i].getNormalVector3fMap() =
+            Eigen::Vector3f (0.f, std::sin (0.7f), -std::cos (0.7f));
+        (*normals)[i].curvature = 0.1f;
+      }
+    return extract (*scene.cloud, *normals, {}).planes().size();
+  };
+  EXPECT_EQ (planesOf (300, 12), 1u);
+  EXPECT_EQ (planesOf (100, 100), 0u);
+}
+
 TEST (CurvedPatches, ACeilingSeenAtAFlatAngleIsNone)
 {
   // Depth is off by what is a pixel away, as in synthetic recordings, up to 25 degrees of

@@ -146,7 +146,8 @@ public:
 
   /** \brief Planes are dropped as parts of uneven surfaces, such as clothes, where a smaller
    * share of the normals of their points is near their own, and the points are farther off
-   * than on flat surfaces; 0 to 1, default 0.75, 0 keeps all. */
+   * than on flat surfaces; 0 to 1, default 0.75, 0 keeps all. Strips more than five times
+   * as long as wide are kept: around them, normals are averages with what lies beside. */
   void
   setMinimumNearNormals (double share)
   {
