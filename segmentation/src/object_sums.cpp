@@ -92,44 +92,57 @@ ObjectClusters::leaks (const Run& run, const LinkLimit& limit) const
 void
 ObjectClusters::countTops (const Run& run, const LinkLimit& limit, Sums& sums) const
 {
-  const std::ptrdiff_t step = stepUpwards (points_[run.first]);
+  const std::ptrdiff_t step = stepUpwards (run.first);
   for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
-    const std::uint32_t next = nextMeasured (i, step);
-    if (next == i || place_[next] == place_[i])
+    std::uint32_t last = i, k = next (i, step);
+    for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
+         k = next (k, step))
+      last = k;
+    if (k == last || place_[k] == place_[i])
       continue;
-    const float *top = points_[i], *other = points_[next];
+    const float *top = points_[i], *other = points_[k];
     ++sums.tops;
     sums.hidden_tops +=
         squaredRange (other) < squaredRange (top) && !limit.allows (top, other);
   }
 }
 
-/** From a pixel that sees \a p to the one beside it that is closest to upwards. */
+/** From pixel \a i to the one beside it whose ray points highest. */
 std::ptrdiff_t
-ObjectClusters::stepUpwards (const float* p) const
+ObjectClusters::stepUpwards (std::uint32_t i) const
 {
-  const Eigen::Vector3f& up = bases_.back()->plane.normal;
-  const float right = up.x() * p[2] - up.z() * p[0];
-  const float down = up.y() * p[2] - up.z() * p[1];
+  const float right = riseOfRays (i, 1), down = riseOfRays (i, points_.width);
   const bool along_row = std::fabs (right) > std::fabs (down);
   return (along_row ? 1 : points_.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
 }
 
-/** The pixel itself where there is none up to the border of the image. */
-std::uint32_t
-ObjectClusters::nextMeasured (std::uint32_t i, std::ptrdiff_t step) const
+/** By how much the sine of the elevation of rays grows with \a step; 0 where no pixel beside \a i
+ * is measured. */
+float
+ObjectClusters::riseOfRays (std::uint32_t i, std::ptrdiff_t step) const
 {
-  const auto width = static_cast<std::ptrdiff_t> (points_.width);
-  const bool along_row = step * step == 1;
-  const std::ptrdiff_t begin = along_row ? i / width * width : 0;
-  const std::ptrdiff_t end =
-      along_row ? begin + width : static_cast<std::ptrdiff_t> (points_.size());
-  for (std::ptrdiff_t next = i + step; next >= begin && next < end; next += step) {
-    const auto k = static_cast<std::size_t> (next);
-    if (place_[k] == place_[i] || isMeasured (points_[k]))
-      return static_cast<std::uint32_t> (next);
+  const auto elevation = [this] (std::uint32_t k) {
+    const Eigen::Map<const Eigen::Vector3f> p (points_[k]);
+    return bases_.back()->plane.normal.dot (p) / p.norm();
+  };
+  for (const int side : {1, -1}) {
+    const std::uint32_t k = next (i, side * step);
+    if (k != i && isMeasured (points_[k]))
+      return static_cast<float> (side) * (elevation (k) - elevation (i));
   }
-  return i;
+  return 0.f;
+}
+
+/** The pixel itself at the border of the image. */
+std::uint32_t
+ObjectClusters::next (std::uint32_t i, std::ptrdiff_t step) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const bool has_next = step == 1    ? i % width + 1 < width
+                        : step == -1 ? i % width > 0
+                        : step > 0   ? i + width < points_.size()
+                                     : i >= width;
+  return has_next ? static_cast<std::uint32_t> (i + step) : i;
 }
 
 bool

@@ -111,10 +111,13 @@ private:
   countTops (const Run& run, const LinkLimit& limit, Sums& sums) const;
 
   std::ptrdiff_t
-  stepUpwards (const float* p) const;
+  stepUpwards (std::uint32_t i) const;
+
+  float
+  riseOfRays (std::uint32_t i, std::ptrdiff_t step) const;
 
   std::uint32_t
-  nextMeasured (std::uint32_t i, std::ptrdiff_t step) const;
+  next (std::uint32_t i, std::ptrdiff_t step) const;
 
   bool
   isObject (const Sums& sums) const;
