@@ -68,6 +68,30 @@ TEST (PlaneAdditions, PointsAtCreasesStartNoCluster)
              0u);
 }
 
+TEST (PlaneAdditions, NormalsAreTrustedUpToHalfOfTheLargestCurvature)
+{
+  const std::vector<Surface> wall{tiltedPlane (1.f, 0.f, 0.f)};
+  const Scene scene = render (wall);
+  const auto normals = trueNormals (scene, wall);
+  const auto setCurvature = [&] (float curvature, int u0, int u1) {
+    for (int v = 0; v < 480; ++v)
+      for (int u = u0; u < u1; ++u)
+        (*normals) (u, v).curvature = curvature;
+  };
+  setCurvature (0.1f, 0, 640);
+  EXPECT_TRUE (extract (*scene.cloud, *normals, {}).planes().empty());
+  setCurvature (0.05f, 0, 640);
+  EXPECT_EQ (extract (*scene.cloud, *normals, {}).planes().size(), 1u);
+
+  for (int v = 0; v < 480; ++v)
+    for (int u = 200; u < 300; ++u)
+      (*normals) (u, v).getNormalVector3fMap() =
+          Eigen::Vector3f (std::sqrt (0.5f), 0.f, -std::sqrt (0.5f));
+  EXPECT_EQ (labelsIn (extract (*scene.cloud, *normals, {}), 0, 640), Labels{0});
+  setCurvature (0.03f, 0, 640);
+  EXPECT_EQ (labelsIn (extract (*scene.cloud, *normals, {}), 220, 280).count (0), 0u);
+}
+
 TEST (PlaneAdditions, NoiseGrowsWithRange)
 {
   const std::vector<Surface> wall{tiltedPlane (5.f, 0.f, 0.f)};
