@@ -71,20 +71,15 @@ ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
 std::size_t
 ObjectClusters::leaks (const Run& run, const LinkLimit& limit) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const std::uint32_t u = run.first % width, last = run.first + run.length - 1;
-  const bool has_above = run.first >= width;
-  const bool has_below = last + width < points_.size();
-  const bool has_left = u > 0;
-  const bool has_right = u + run.length < width;
+  const std::uint32_t last = run.first + run.length - 1;
   std::size_t count = 0;
   for (std::uint32_t i = run.first; i <= last; ++i) {
-    const auto leaksTo = [&] (std::uint32_t j) {
+    const auto leaksTo = [&] (std::ptrdiff_t step) {
+      const std::uint32_t j = next (i, step);
       return place_[j] == outside && limit.allows (points_[i], points_[j]);
     };
-    count += (has_above && leaksTo (i - width)) || (has_below && leaksTo (i + width)) ||
-             (i == run.first && has_left && leaksTo (i - 1)) ||
-             (i == last && has_right && leaksTo (i + 1));
+    count += leaksTo (-points_.width) || leaksTo (points_.width) ||
+             (i == run.first && leaksTo (-1)) || (i == last && leaksTo (1));
   }
   return count;
 }
@@ -138,10 +133,10 @@ std::uint32_t
 ObjectClusters::next (std::uint32_t i, std::ptrdiff_t step) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  const bool has_next = step == 1    ? i % width + 1 < width
-                        : step == -1 ? i % width > 0
-                        : step > 0   ? i + width < points_.size()
-                                     : i >= width;
+  const bool has_next = step == points_.width    ? i + width < points_.size()
+                        : step == -points_.width ? i >= width
+                        : step > 0               ? i % width + 1 < width
+                                                 : i % width > 0;
   return has_next ? static_cast<std::uint32_t> (i + step) : i;
 }
 

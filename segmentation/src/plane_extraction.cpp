@@ -99,7 +99,6 @@ void
 PlaneExtraction::assign (const OrganizedPoints& points,
                          const std::vector<std::uint8_t>& selected)
 {
-  is_uneven_.assign (planes_.size(), 0);
   if (!parameters_.additions.assignment) {
     assignment_.keepOwners (owners_);
     assignment_.assignPixels (
@@ -109,11 +108,9 @@ PlaneExtraction::assign (const OrganizedPoints& points,
   assignment_.findPlanes (samples_, owners_, planes_);
   // Samples near a crease may lie nearer to the plane on its other side.
   assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
-  for (std::size_t k = 0; k < planes_.size(); ++k) {
-    is_uneven_[k] = assignment_.nearNormals (k) < parameters_.min_near_normals;
+  for (std::size_t k = 0; k < planes_.size(); ++k)
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
-  }
   assignment_.assignPixels (
       points, selected, samples_, planes_, parameters_.noise, max_sigmas_);
 }
@@ -196,9 +193,11 @@ PlaneExtraction::isPatch (std::size_t plane) const
   const PlaneMoments& points = assignment_.weightedMoments()[plane];
   const double error = points.squaredErrors (points.inverseDistance()) /
                        static_cast<double> (points.points);
+  const bool is_uneven = parameters_.additions.assignment &&
+                         assignment_.nearNormals (plane) < parameters_.min_near_normals;
   return parameters_.additions.patches &&
          ((patches_.isPatch (plane) && error > min_error_if_curved) ||
-          (is_uneven_[plane] && error > min_error_if_uneven && !isStrip (points)));
+          (is_uneven && error > min_error_if_uneven && !isStrip (points)));
 }
 
 /** Drops planes with too few points, sorts the others, and fits them. */

@@ -164,7 +164,6 @@ private:
   PlaneAssignment assignment_;
   std::vector<std::int32_t> owners_;
   std::vector<Plane> planes_;
-  std::vector<std::uint8_t> is_uneven_;
   std::vector<PlaneMoments> moments_;
   std::vector<Eigen::Matrix4d> parameter_covariances_;
   std::vector<std::uint32_t> order_, numbers_;
