@@ -18,7 +18,9 @@ function(pcl_rgbd_planes_add_module name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_definitions(${target} PRIVATE
     $<$<BOOL:${PCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES}>:PCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES>)
-  target_compile_options(${target} PRIVATE ${PCL_RGBD_PLANES_LIBRARY_OPTIONS})
+  # Nobody replaces functions of the library from outside: those in one file can be inlined.
+  target_compile_options(${target} PRIVATE
+    -fno-semantic-interposition ${PCL_RGBD_PLANES_LIBRARY_OPTIONS})
   target_link_options(${target} PRIVATE ${PCL_RGBD_PLANES_LIBRARY_OPTIONS})
   target_link_libraries(${target} PUBLIC ${arg_LINK}
                         PRIVATE $<BUILD_INTERFACE:pcl_rgbd_planes_warnings>)

@@ -73,7 +73,7 @@ prefetch (const float* first, std::size_t number)
 }
 
 std::size_t
-writeCellNormalsOf (std::size_t cells, PlaneRow planes, float* normals)
+writeCellNormalsOf (std::size_t cells, const PlaneRow& planes, float* normals)
 {
   constexpr Floats d;
   std::size_t valid = 0;
@@ -95,7 +95,7 @@ std::size_t
 writePixelNormalsOf (const float* points,
                      std::size_t cells,
                      const SensorModel& sensor,
-                     PlaneRow planes,
+                     const PlaneRow& planes,
                      const Candidates<9>* candidates,
                      float* normals)
 {
@@ -138,10 +138,10 @@ writePixelNormalsOf (const float* points,
 // Short loops, one after another over a row in the cache, keep a processor busier than one
 // long loop, in which each step waits for the one before.
 void
-averagePlanesHere (Candidates<5> candidates,
+averagePlanesHere (const Candidates<5>& candidates,
                    std::size_t cells,
-                   CellRow points,
-                   PlaneRow planes)
+                   const CellRow& points,
+                   const PlaneRow& planes)
 {
   constexpr Floats d;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
@@ -173,7 +173,7 @@ writeNormalsHere (const float* points,
                   std::size_t cells,
                   int step,
                   const SensorModel& sensor,
-                  PlaneRow planes,
+                  const PlaneRow& planes,
                   const Candidates<9>* candidates,
                   float* normals)
 {
@@ -195,10 +195,10 @@ HWY_EXPORT (averagePlanesHere);
 HWY_EXPORT (writeNormalsHere);
 
 void
-averagePlanes (Candidates<5> candidates,
+averagePlanes (const Candidates<5>& candidates,
                std::size_t cells,
-               CellRow points,
-               PlaneRow planes)
+               const CellRow& points,
+               const PlaneRow& planes)
 {
   HWY_DYNAMIC_DISPATCH (averagePlanesHere) (candidates, cells, points, planes);
 }
@@ -208,7 +208,7 @@ writeNormals (const float* points,
               std::size_t cells,
               int step,
               const SensorModel& sensor,
-              PlaneRow planes,
+              const PlaneRow& planes,
               const Candidates<9>* candidates,
               float* normals)
 {

@@ -78,11 +78,11 @@ prefixSums (I v, I& last)
 } // namespace
 
 void
-addUpHere (SumRow sums,
+addUpHere (const SumRow& sums,
            std::size_t cells,
            std::size_t margin,
-           TangentRow above,
-           TangentRow integral)
+           const TangentRow& above,
+           const TangentRow& integral)
 {
   constexpr Ints d;
   for (std::size_t c = 0; c < tangent_channels; ++c) {
@@ -130,11 +130,11 @@ HWY_EXPORT (addUpHere);
 HWY_EXPORT (sumColumnsHere);
 
 void
-addUp (SumRow sums,
+addUp (const SumRow& sums,
        std::size_t cells,
        std::size_t margin,
-       TangentRow above,
-       TangentRow integral)
+       const TangentRow& above,
+       const TangentRow& integral)
 {
   HWY_DYNAMIC_DISPATCH (addUpHere) (sums, cells, margin, above, integral);
 }

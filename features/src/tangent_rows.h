@@ -88,7 +88,7 @@ loadPixels (const float* points,
             std::size_t cells,
             int step,
             const SensorModel& sensor,
-            PixelRow pixels);
+            const PixelRow& pixels);
 
 /** \brief Sums the tangents of each cell, and chooses the point of each cell of several
  * pixels. \a pixels: the step rows of the cells and the next one. The sums of a cell are
@@ -100,16 +100,16 @@ sumTangents (const PixelRow* pixels,
              int step,
              const SensorModel& sensor,
              float units,
-             SumRow sums,
-             CellRow points);
+             const SumRow& sums,
+             const CellRow& points);
 
 /** \brief Continues the integral images by one row, and by \a margin elements behind it. */
 void
-addUp (SumRow sums,
+addUp (const SumRow& sums,
        std::size_t cells,
        std::size_t margin,
-       TangentRow above,
-       TangentRow integral);
+       const TangentRow& above,
+       const TangentRow& integral);
 
 /** \brief Sums the \a columns of a window of any width. */
 void
@@ -120,24 +120,24 @@ void
 fitPlanes (const WindowColumns& columns,
            std::ptrdiff_t half_width,
            std::size_t cells,
-           CellRow points,
-           PlaneRow planes);
+           const CellRow& points,
+           const PlaneRow& planes);
 
 /** \brief Puts those of \a larger windows in the place of planes that are less likely, or, if
  * \a min_range is not 0, of those of points this far away. */
 void
 chooseLarger (float min_range,
               std::size_t cells,
-              CellRow points,
-              PlaneRow larger,
-              PlaneRow planes);
+              const CellRow& points,
+              const PlaneRow& larger,
+              const PlaneRow& planes);
 
 /** \brief The mean of the planes around each cell on which its point lies. */
 void
-averagePlanes (Candidates<5> candidates,
+averagePlanes (const Candidates<5>& candidates,
                std::size_t cells,
-               CellRow points,
-               PlaneRow planes);
+               const CellRow& points,
+               const PlaneRow& planes);
 
 /** The normal of a pixel as it is written: nx, ny, nz, 0, curvature, 0, 0, 0, as in
  * pcl::Normal; NaN where there is none. */
@@ -151,7 +151,7 @@ writeNormals (const float* points,
               std::size_t cells,
               int step,
               const SensorModel& sensor,
-              PlaneRow planes,
+              const PlaneRow& planes,
               const Candidates<9>* candidates,
               float* normals);
 

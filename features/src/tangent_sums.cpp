@@ -29,7 +29,7 @@ void
 loadPixelsOf (const float* points,
               std::size_t cells,
               const SensorModel& sensor,
-              PixelRow pixels)
+              const PixelRow& pixels)
 {
   const V infinite = set (std::numeric_limits<float>::infinity());
   for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
@@ -37,20 +37,22 @@ loadPixelsOf (const float* points,
     const float* next = points + 4 * step * (cells + i);
     for (std::size_t line = 0; line < 4 * step * hn::Lanes (Floats()); line += 16)
       hwy::Prefetch (next + line);
-    usePoints<step> (points + 4 * step * i,
-                     sensor,
-                     [=, &sensor] (std::size_t k, const Points& loaded) HWY_ATTR {
-                       const std::size_t channel = k * pixel_channels;
-                       store (loaded.p, pixels, channel + cell_x, i);
-                       const V reach = reciprocal (hn::Mul (
-                           set (reach_sigmas), sigma (sensor, loaded.squared_range)));
-                       store (hn::IfThenElseZero (loaded.measured, reach),
-                              pixels[channel + cell_reach] + i);
-                       store (hn::IfThenElse (loaded.measured,
-                                              hn::Sqrt (loaded.squared_range),
-                                              infinite),
-                              pixels[channel + pixel_range] + i);
-                     });
+    usePoints<step> (
+        points + 4 * step * i,
+        sensor,
+        [=, &sensor] (std::size_t k, const Points& loaded) HWY_ATTR {
+          const std::size_t channel = k * pixel_channels;
+          store (loaded.p, pixels, channel + cell_x, i);
+          const V reach = reciprocal (
+              hn::Mul (set (reach_sigmas), sigma (sensor, loaded.squared_range)));
+          store (hn::IfThenElseZero (loaded.measured, reach),
+                 pixels[channel + cell_reach] + i);
+          store (hn::IfThenElse (loaded.measured,
+                                 hn::Mul (loaded.squared_range,
+                                          reciprocalSqrt (loaded.squared_range)),
+                                 infinite),
+                 pixels[channel + pixel_range] + i);
+        });
   }
 }
 
@@ -120,7 +122,7 @@ cellSums (const PixelRow* pixels, std::size_t at, const SensorModel& sensor)
 
 /** Writes a point of each cell, the first that is not missing. \return the range of it */
 HWY_INLINE V
-storeCellPoint (const PixelRow* pixels, std::size_t at, CellRow points)
+storeCellPoint (const PixelRow* pixels, std::size_t at, const CellRow& points)
 {
   Pixels point = loadPixel (pixels[1], pixel_channels, at);
   V reach = load (pixels[1][pixel_channels + cell_reach] + at);
@@ -143,8 +145,8 @@ sumTangentsOf (const PixelRow* pixels,
                std::size_t cells,
                SensorModel sensor,
                float units,
-               SumRow sums,
-               CellRow points)
+               const SumRow& sums,
+               const CellRow& points)
 {
   for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
     V range;
@@ -159,7 +161,7 @@ sumTangentsOf (const PixelRow* pixels,
     const V squared_longest =
         hn::Max (hn::Mul (range, range), hn::Max (dot (h, h), dot (v, v)));
     store (hn::IfThenElseZero (isMeasured (range),
-                               hn::Div (set (units), hn::Sqrt (squared_longest))),
+                               hn::Mul (set (units), reciprocalSqrt (squared_longest))),
            sums[sum_scale] + i);
   }
 }
@@ -171,7 +173,7 @@ loadPixelsHere (const float* points,
                 std::size_t cells,
                 int step,
                 const SensorModel& sensor,
-                PixelRow pixels)
+                const PixelRow& pixels)
 {
   const auto load_pixels = step == 1 ? &loadPixelsOf<1> : &loadPixelsOf<2>;
   load_pixels (points, cells, sensor, pixels);
@@ -183,8 +185,8 @@ sumTangentsHere (const PixelRow* pixels,
                  int step,
                  const SensorModel& sensor,
                  float units,
-                 SumRow sums,
-                 CellRow points)
+                 const SumRow& sums,
+                 const CellRow& points)
 {
   const auto sum_tangents = step == 1 ? &sumTangentsOf<1> : &sumTangentsOf<2>;
   sum_tangents (pixels, cells, sensor, units, sums, points);
@@ -207,7 +209,7 @@ loadPixels (const float* points,
             std::size_t cells,
             int step,
             const SensorModel& sensor,
-            PixelRow pixels)
+            const PixelRow& pixels)
 {
   HWY_DYNAMIC_DISPATCH (loadPixelsHere) (points, cells, step, sensor, pixels);
 }
@@ -218,8 +220,8 @@ sumTangents (const PixelRow* pixels,
              int step,
              const SensorModel& sensor,
              float units,
-             SumRow sums,
-             CellRow points)
+             const SumRow& sums,
+             const CellRow& points)
 {
   HWY_DYNAMIC_DISPATCH (sumTangentsHere)
   (pixels, cells, step, sensor, units, sums, points);

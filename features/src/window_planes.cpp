@@ -58,8 +58,8 @@ void
 fitPlanesHere (const WindowColumns& columns,
                std::ptrdiff_t half_width,
                std::size_t cells,
-               CellRow points,
-               PlaneRow planes)
+               const CellRow& points,
+               const PlaneRow& planes)
 {
   constexpr Floats d;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
@@ -105,9 +105,9 @@ fitPlanesHere (const WindowColumns& columns,
 void
 chooseLargerHere (float min_range,
                   std::size_t cells,
-                  CellRow points,
-                  PlaneRow larger,
-                  PlaneRow planes)
+                  const CellRow& points,
+                  const PlaneRow& larger,
+                  const PlaneRow& planes)
 {
   constexpr Floats d;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
@@ -140,8 +140,8 @@ void
 fitPlanes (const WindowColumns& columns,
            std::ptrdiff_t half_width,
            std::size_t cells,
-           CellRow points,
-           PlaneRow planes)
+           const CellRow& points,
+           const PlaneRow& planes)
 {
   HWY_DYNAMIC_DISPATCH (fitPlanesHere) (columns, half_width, cells, points, planes);
 }
@@ -149,9 +149,9 @@ fitPlanes (const WindowColumns& columns,
 void
 chooseLarger (float min_range,
               std::size_t cells,
-              CellRow points,
-              PlaneRow larger,
-              PlaneRow planes)
+              const CellRow& points,
+              const PlaneRow& larger,
+              const PlaneRow& planes)
 {
   HWY_DYNAMIC_DISPATCH (chooseLargerHere) (min_range, cells, points, larger, planes);
 }

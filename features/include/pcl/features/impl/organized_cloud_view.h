@@ -80,9 +80,14 @@ notAnImage (const pcl::PointCloud<PointT>& cloud)
 inline bool
 indicesInside (const pcl::Indices& indices, std::size_t size)
 {
-  return std::all_of (indices.begin(), indices.end(), [size] (pcl::index_t index) {
-    return index >= 0 && static_cast<std::size_t> (index) < size;
-  });
+  // To the end, whatever comes, which takes vector instructions.
+  pcl::index_t smallest = 0, largest = 0;
+  for (const pcl::index_t index : indices) {
+    smallest = std::min (smallest, index);
+    largest = std::max (largest, index);
+  }
+  return indices.empty() ||
+         (smallest == 0 && static_cast<std::size_t> (largest) < size);
 }
 
 } // namespace rgbd_planes
