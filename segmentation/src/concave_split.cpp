@@ -43,7 +43,7 @@ ConcaveSplit::compute (const OrganizedPoints& points,
                        const std::vector<SegmentedPlane>& planes,
                        const std::vector<SupportPlane>& supports,
                        const ObjectParameters& parameters,
-                       std::vector<ObjectCluster>& clusters)
+                       const std::vector<ObjectCluster>& clusters)
 {
   parameters_ = parameters;
   layOut (points, normals, clusters);
@@ -53,7 +53,7 @@ ConcaveSplit::compute (const OrganizedPoints& points,
   startParts (clusters);
   growParts();
   collect (clusters);
-  settle (points, planes, supports, clusters);
+  settle (points, planes, supports);
 }
 
 void
@@ -167,7 +167,7 @@ ConcaveSplit::growParts()
 }
 
 void
-ConcaveSplit::collect (std::vector<ObjectCluster>& clusters)
+ConcaveSplit::collect (const std::vector<ObjectCluster>& clusters)
 {
   parts_.resize (part_support_.size());
   for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -182,7 +182,6 @@ ConcaveSplit::collect (std::vector<ObjectCluster>& clusters)
           parts_[(has_part ? part_[i] : first_part_[k]) - 1].indices.push_back (
               static_cast<pcl::index_t> (point));
         });
-  std::swap (clusters, parts_);
 }
 
 /** The part that most of a plane belongs to, from 1 on, or 0. */
@@ -204,17 +203,16 @@ ConcaveSplit::partWithPlane (const pcl::Indices& inliers)
 void
 ConcaveSplit::settle (const OrganizedPoints& points,
                       const std::vector<SegmentedPlane>& planes,
-                      const std::vector<SupportPlane>& supports,
-                      std::vector<ObjectCluster>& clusters)
+                      const std::vector<SupportPlane>& supports)
 {
   for (std::size_t k = supports.size(); k-- > 0;) { // the highest one counts
     if (!supports[k].is_on_object)
       continue;
     const std::uint32_t part = partWithPlane (*planes[supports[k].index].inliers);
-    for (std::size_t c = 0; part != 0 && c < clusters.size(); ++c)
+    for (std::size_t c = 0; part != 0 && c < parts_.size(); ++c)
       if (c + 1 != part &&
-          liesAbove (points, clusters[c].indices, supports[k], parameters_))
-        clusters[c].support = k;
+          liesAbove (points, parts_[c].indices, supports[k], parameters_))
+        parts_[c].support = k;
   }
 }
 

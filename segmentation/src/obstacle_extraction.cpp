@@ -103,9 +103,10 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
     obstacle.distance = obstacle.nearest.head<2>().norm();
     obstacle.direction = std::atan2 (obstacle.nearest.y(), obstacle.nearest.x());
   }
-  std::stable_sort (
+  std::sort (
       obstacles.begin(), obstacles.end(), [] (const Obstacle& a, const Obstacle& b) {
-        return a.distance < b.distance;
+        return a.distance != b.distance ? a.distance < b.distance
+                                        : a.indices.front() < b.indices.front();
       });
 }
 

@@ -15,6 +15,7 @@ namespace rgbd_planes {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float turn = 6.2831853f;
 
 } // namespace
 
@@ -22,8 +23,10 @@ void
 ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
 {
   const float span = limits.angle_max - limits.angle_min;
-  const auto directions =
-      static_cast<std::size_t> (std::lround (span / limits.angle_increment)) + 1;
+  // Rounded up, the last direction could be the first one again.
+  const float in_turn = std::floor (turn / limits.angle_increment + 0.01f);
+  const auto directions = static_cast<std::size_t> (
+      std::clamp (in_turn, 1.f, std::round (span / limits.angle_increment) + 1.f));
   if (sectors_.size() != directions + 1 || limits.angle_min != limits_.angle_min ||
       limits.angle_increment != limits_.angle_increment) {
     sectors_.assign (directions + 1, {});
@@ -89,7 +92,7 @@ ScanBuilder::find (float x, float y, std::size_t guess) const
   for (const std::size_t near : {guess + 1, guess - 1})
     if (near < sectors_.size() && sectors_[near].contains (x, y))
       return near;
-  const float steps_in_turn = 6.2831853f / limits_.angle_increment;
+  const float steps_in_turn = turn / limits_.angle_increment;
   float steps =
       (std::atan2 (y, x) - limits_.angle_min) / limits_.angle_increment + 0.5f;
   steps -= steps_in_turn * std::floor (steps / steps_in_turn);

@@ -309,3 +309,12 @@ TEST (ProjectOntoPlanes, NoiseOfFarPlanesFallsFivefold)
     EXPECT_GE (residuals.improvement(), 5.) << scene;
   }
 }
+
+TEST (ProjectOntoPlanes, RayFactorsThatMakeNoSenseAreRefused)
+{
+  pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
+  projection.setMaxRayFactor (20.f);
+  for (const float wrong : {-1.f, std::numeric_limits<float>::quiet_NaN()})
+    projection.setMaxRayFactor (wrong);
+  EXPECT_EQ (projection.getMaxRayFactor(), 20.f);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "count_allocations.h"
 #include "floor_scene.h"
 
 #include <pcl/segmentation/obstacle_detection.h>
@@ -504,6 +505,42 @@ TEST (ObstacleDetection, TheScanHasTheClosestPointOfEachDirection)
   }
 }
 
+TEST (ObstacleDetection, AScanOfAlmostAWholeTurnHasEachDirectionOnce)
+{
+  // 720 steps of half a degree make a turn; these limits are 719.6 steps apart.
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_min = -3.14f;
+  limits.angle_max = 3.14f;
+  const FloorScene scene (only_floor + a_box, pose, 320);
+  Detection detection;
+  setInput (detection, scene);
+  detection.setScanLimits (limits);
+  std::vector<Obstacle> obstacles;
+  // The box behind the robot: it lies across the first and the last direction.
+  detection.setCameraToBase (
+      Eigen::AngleAxisf (static_cast<float> (M_PI), Eigen::Vector3f::UnitZ()) *
+      scene.camera_to_base);
+  detection.detect (obstacles);
+  const auto& ranges = detection.getScan().ranges;
+  ASSERT_EQ (ranges.size(), 720u);
+  EXPECT_TRUE (std::isfinite (ranges.front()));
+  EXPECT_TRUE (std::isfinite (ranges.back()));
+}
+
+TEST (ObstacleDetection, AScanInStepsOfMoreThanATurnHasOneDirection)
+{
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_increment = 10.f;
+  Detection detection;
+  detection.setScanLimits (limits);
+  const FloorScene scene (only_floor + a_box, pose);
+  setInput (detection, scene);
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  EXPECT_EQ (detection.getScan().ranges.size(), 1u);
+  EXPECT_EQ (detection.getScan().angle_max, limits.angle_min);
+}
+
 TEST (ObstacleDetection, MissingPointsAreUnmeasured)
 {
   FloorScene scene (only_floor + a_box, pose);
@@ -634,6 +671,59 @@ TEST (ObstacleDetection, SettersRefuseWhatMakesNoSense)
     detection.setScanLimits (limits);
     EXPECT_FLOAT_EQ (detection.getScanLimits().angle_increment, 0.0087266463f);
   }
+  for (const float last : {-2.f, 5.f, not_a_number}) {
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_max = last; // less than the first one, more than a turn from it
+    detection.setScanLimits (limits);
+    EXPECT_FLOAT_EQ (detection.getScanLimits().angle_max, 1.5707963f);
+  }
+  for (float pcl::rgbd_planes::ScanLimits::*limit :
+       {&pcl::rgbd_planes::ScanLimits::range_min,
+        &pcl::rgbd_planes::ScanLimits::range_max,
+        &pcl::rgbd_planes::ScanLimits::max_height}) {
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.*limit = not_a_number;
+    detection.setScanLimits (limits);
+    EXPECT_FALSE (std::isnan (detection.getScanLimits().*limit));
+  }
+  for (const float wrong : {-1.f, not_a_number}) {
+    detection.setFloorTolerances (wrong, wrong);
+    detection.setMinObstacleHeight (wrong);
+    detection.setMinDropDepth (wrong);
+  }
+  EXPECT_EQ (detection.getFloorAngleTolerance(), 0.17f);
+  EXPECT_EQ (detection.getFloorHeightTolerance(), 0.05f);
+  EXPECT_EQ (detection.getMinObstacleHeight(), 0.01f);
+  EXPECT_EQ (detection.getMinDropDepth(), 0.03f);
+  detection.setFloorTolerances (static_cast<float> (M_PI), 0.05f);
+  EXPECT_FLOAT_EQ (detection.getFloorAngleTolerance(), static_cast<float> (M_PI));
+  detection.setFloorTolerances (0.3f, 0.f);
+  EXPECT_EQ (detection.getFloorAngleTolerance(), 0.3f);
+  EXPECT_EQ (detection.getFloorHeightTolerance(), 0.f);
+}
+
+TEST (ObstacleDetection, HeightsOfObstaclesAndDepthsOfDropsAreSettings)
+{
+  const FloorScene low (only_floor + box ({1.2f, -0.3f, 0.f}, {1.5f, 0.3f, 0.03f}),
+                        pose);
+  Detection detection;
+  Result result;
+  setInput (detection, low);
+  detection.detect (result.obstacles, result.classes);
+  const std::size_t before = result.count (ObstacleClass::obstacle);
+  detection.setMinObstacleHeight (0.05f);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_LT (result.count (ObstacleClass::obstacle), before) << "its top";
+
+  Patch near = floorAt (0.f);
+  near.covers = [] (const Eigen::Vector3f& p) { return p.x() < 1.5f; };
+  const FloorScene step ({near, floorAt (-0.2f)}, pose);
+  setInput (detection, step);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_GT (result.count (ObstacleClass::drop_off), 0u);
+  detection.setMinDropDepth (0.3f);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_EQ (result.count (ObstacleClass::drop_off), 0u);
 }
 
 TEST (ObstacleDetection, PlanesThatAreNoneDoNoHarm)
@@ -651,4 +741,30 @@ TEST (ObstacleDetection, PlanesThatAreNoneDoNoHarm)
   for (auto& value : scene.planes[0].values)
     value *= -2.f;
   EXPECT_EQ (detect (scene).obstacles.size(), 1u);
+}
+
+TEST (ObstacleDetection, NoAllocationsForFramesLikeThoseBefore)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "allocations are not counted together with the address sanitizer";
+#endif
+  const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});
+  const FloorScene one (only_floor + behind + a_box, pose, 320);
+  const FloorScene other (only_floor + a_box + behind, pose, 320);
+  Detection detection;
+  Result result;
+  for (const bool first_round : {true, false})
+    for (const FloorScene* scene : {&one, &other}) {
+      setInput (detection, *scene);
+      const std::size_t before = allocations;
+      detection.detect (result.obstacles, result.classes);
+      const std::size_t count = allocations - before;
+      ASSERT_EQ (result.obstacles.size(), 2u);
+      if (first_round && scene == &one) {
+        EXPECT_GT (count, 0u) << "the counter sees nothing";
+      }
+      if (!first_round) {
+        EXPECT_EQ (count, 0u);
+      }
+    }
 }

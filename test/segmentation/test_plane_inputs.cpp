@@ -200,3 +200,19 @@ TEST (PlaneInputs, EverySetterHasAnEffect)
   segment (segmentation, result);
   EXPECT_TRUE (result.models.empty()) << "noise bends everything";
 }
+
+TEST (PlaneInputs, SharesAndCurvaturesThatMakeNoSenseAreRefused)
+{
+  Ours segmentation;
+  for (const double wrong : {-0.1, std::numeric_limits<double>::quiet_NaN()}) {
+    segmentation.setMinimumNearNormals (wrong);
+    segmentation.setMaximumCurvature (wrong);
+  }
+  segmentation.setMinimumNearNormals (1.1);
+  EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
+  EXPECT_FLOAT_EQ (static_cast<float> (segmentation.getMaximumCurvature()), 0.08f);
+  segmentation.setMinimumNearNormals (1.);
+  EXPECT_EQ (segmentation.getMinimumNearNormals(), 1.);
+  segmentation.setMaximumCurvature (std::numeric_limits<double>::infinity());
+  EXPECT_TRUE (std::isinf (segmentation.getMaximumCurvature()));
+}

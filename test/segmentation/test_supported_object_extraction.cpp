@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "count_allocations.h"
 #include "table_scenes.h"
 
 #include <pcl/common/transforms.h>
@@ -569,6 +570,54 @@ TEST (SupportedObjectExtraction, OptimisesAModelThatOutliersSpoilt)
     }
 }
 
+TEST (SupportedObjectExtraction, PlanesMayHaveAnySignAndLength)
+{
+  View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  const Objects expected = extract (view);
+  ASSERT_EQ (expected.size(), 1u);
+  for (auto& model : view.models)
+    for (float& value : model.values)
+      value *= -2.f;
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_EQ (objects[0].indices.indices, expected[0].indices.indices);
+}
+
+TEST (SupportedObjectExtraction, NoAllocationsForFramesLikeThoseBefore)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "allocations are not counted together with the address sanitizer";
+#endif
+  const Box wall{{1.66f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box left = onTable (1.5f, 0.25f, {0.05f, 0.1f, 0.25f});
+  const Box right = onTable (1.5f, -0.25f, {0.05f, 0.1f, 0.25f});
+  const Box beam{{1.5f, 0.f, table_height + 0.25f}, {0.05f, 0.6f, 0.3f}};
+  const Box mug = onTable (1.1f, 0.1f, {0.08f, 0.08f, 0.1f});
+  // With a strip of the wall, which becomes a cluster, but no object.
+  const View view = look ({floor_slab, table, wall, left, right, beam, mug});
+  for (const bool split : {false, true}) {
+    Extraction extraction;
+    extraction.setSplitAtConcaveEdges (split);
+    extraction.setBaseTransform (view.camera_to_base);
+    extraction.setInputCloud (view.cloud);
+    extraction.setInputNormals (view.normals);
+    Objects objects;
+    // Planes are sorted, and with them their memory: some frames later each has enough.
+    for (int frame = 0; frame < 5; ++frame) {
+      const std::size_t before = allocations;
+      extraction.extract (view.models, view.inliers, objects);
+      const std::size_t count = allocations - before;
+      EXPECT_FALSE (objects.empty());
+      if (frame == 0) {
+        EXPECT_GT (count, 0u) << "the counter sees nothing";
+      }
+      if (frame == 4) {
+        EXPECT_EQ (count, 0u) << (split ? "split" : "whole");
+      }
+    }
+  }
+}
+
 TEST (SupportedObjectExtraction, HonoursIndices)
 {
   const View view = look ({floor_slab,
@@ -623,6 +672,10 @@ TEST (SupportedObjectExtraction, RefusesBadInput)
   View fewer_inliers = view;
   fewer_inliers.inliers.pop_back();
   EXPECT_TRUE (extract (fewer_inliers).empty());
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  EXPECT_FALSE (extraction.getSupportPlanes().empty());
+  EXPECT_TRUE (extract (extraction, fewer_inliers).empty());
+  EXPECT_TRUE (extraction.getSupportPlanes().empty());
 
   View other_cloud = view;
   other_cloud.inliers.front().indices.push_back (1000000);
@@ -652,6 +705,9 @@ TEST (SupportedObjectExtraction, RefusesBadParameters)
   EXPECT_FLOAT_EQ (extraction.getHullTolerance(), 0.03f);
   extraction.setHullTolerance (0.);
   EXPECT_EQ (extraction.getHullTolerance(), 0.);
+  extraction.setHorizontalTolerance (static_cast<float> (M_PI / 2.)); // above M_PI / 2
+  EXPECT_FLOAT_EQ (extraction.getHorizontalTolerance(), static_cast<float> (M_PI / 2.));
+  extraction.setHorizontalTolerance (0.26);
   extraction.setHorizontalTolerance (2.);
   EXPECT_FLOAT_EQ (extraction.getHorizontalTolerance(), 0.26f);
   extraction.setPlaneHeights (1., 0.5);

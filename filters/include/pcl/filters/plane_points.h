@@ -21,18 +21,24 @@ namespace rgbd_planes {
 using PlaneVectors =
     std::vector<Eigen::Vector4f, Eigen::aligned_allocator<Eigen::Vector4f>>;
 
-/** \brief NaN for what has no four finite coefficients and a normal. */
+/** \brief a, b, c, d with a unit normal towards the origin; NaN for what has no four finite
+ * coefficients and a normal. */
+inline Eigen::Vector4f
+planeVector (const ModelCoefficients& model)
+{
+  Eigen::Vector4f plane =
+      Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
+  if (model.values.size() == 4)
+    plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
+  return (plane[3] < 0.f ? -1.f : 1.f) / plane.head<3>().norm() * plane;
+}
+
 inline PlaneVectors
 planeVectors (const std::vector<ModelCoefficients>& models)
 {
   PlaneVectors planes;
-  for (const auto& model : models) {
-    Eigen::Vector4f plane =
-        Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
-    if (model.values.size() == 4)
-      plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
-    planes.push_back (plane / plane.head<3>().norm());
-  }
+  for (const auto& model : models)
+    planes.push_back (planeVector (model));
   return planes;
 }
 

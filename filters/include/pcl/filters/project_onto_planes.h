@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/set_parameter.h>
 #include <pcl/filters/filter.h>
 #include <pcl/filters/plane_points.h>
 #include <pcl/ModelCoefficients.h>
@@ -33,8 +34,8 @@ namespace pcl {
  * The output has all points of the input, its organization and its header; all fields but
  * coordinates stay. With indices, only these points move. Output and input may be the same
  * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)) and those of planes without
- * four finite coefficients and a normal stay. Planes that were not set, labels of another
- * size than the input, or an index outside of it: an error message and an empty output.
+ * four finite coefficients and a normal stay. Labels of another size than the input, or an
+ * index outside of it: an error message and an empty output.
  *
  * \ingroup filters
  */
@@ -87,11 +88,13 @@ public:
   }
 
   /** \brief How far along its ray a point may move, in distances from its plane: the
-   * inverse of the sine of the angle between ray and plane; default 10, about 6 degrees. */
+   * inverse of the sine of the angle between ray and plane; 0 or more (others: an error
+   * message), default 10, about 6 degrees. */
   void
   setMaxRayFactor (float factor)
   {
-    max_ray_factor_ = factor;
+    rgbd_planes::setParameter (
+        getClassName() + "::setMaxRayFactor", factor, max_ray_factor_);
   }
 
   float

@@ -83,7 +83,7 @@ private:
  */
 class PCL_RGBD_PLANES_EXPORTS ConcaveSplit {
 public:
-  /** \brief Replaces \a clusters by their parts.
+  /** \brief Splits \a clusters into parts.
    *
    * A part that lies above the top of another one, where that is among the supporting planes,
    * rests on it.
@@ -99,7 +99,14 @@ public:
            const std::vector<SegmentedPlane>& planes,
            const std::vector<SupportPlane>& supports,
            const ObjectParameters& parameters,
-           std::vector<ObjectCluster>& clusters);
+           const std::vector<ObjectCluster>& clusters);
+
+  /** \brief Cluster by cluster. */
+  const std::vector<ObjectCluster>&
+  parts () const
+  {
+    return parts_;
+  }
 
 private:
   void
@@ -117,7 +124,7 @@ private:
   growParts ();
 
   void
-  collect (std::vector<ObjectCluster>& clusters);
+  collect (const std::vector<ObjectCluster>& clusters);
 
   std::uint32_t
   partWithPlane (const pcl::Indices& inliers);
@@ -125,8 +132,7 @@ private:
   void
   settle (const OrganizedPoints& points,
           const std::vector<SegmentedPlane>& planes,
-          const std::vector<SupportPlane>& supports,
-          std::vector<ObjectCluster>& clusters);
+          const std::vector<SupportPlane>& supports);
 
   /** \brief Calls visit (j) for the neighbours of \a i that are of the same cluster. */
   template <typename Visit>

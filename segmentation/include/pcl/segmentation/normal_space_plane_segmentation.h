@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/set_parameter.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
@@ -130,12 +131,15 @@ public:
     return parameters_.distance_threshold;
   }
 
-  /** \brief Points with a larger curvature start no cluster, but may still join a
-   * plane; with more than half of it, whatever their normal. Default 0.08. */
+  /** \brief Points with a larger curvature start no cluster, but may still join a plane; the
+   * normals of those with more than half of it do not count. 0 or more (others: an error
+   * message), default 0.08. */
   void
   setMaximumCurvature (double maximum_curvature)
   {
-    parameters_.maximum_curvature = static_cast<float> (maximum_curvature);
+    rgbd_planes::setParameter (getClassName() + "::setMaximumCurvature",
+                               maximum_curvature,
+                               parameters_.maximum_curvature);
   }
 
   double
@@ -146,12 +150,15 @@ public:
 
   /** \brief Planes are dropped as parts of uneven surfaces, such as clothes, where a smaller
    * share of the normals of their points is near their own, and the points are farther off
-   * than on flat surfaces; 0 to 1, default 0.75, 0 keeps all. Strips more than five times
+   * than on flat surfaces; 0 to 1 (others: an error message), default 0.75, 0 keeps all. Strips more than five times
    * as long as wide are kept: around them, normals are averages with what lies beside. */
   void
   setMinimumNearNormals (double share)
   {
-    parameters_.min_near_normals = share;
+    rgbd_planes::setParameter (getClassName() + "::setMinimumNearNormals",
+                               share,
+                               parameters_.min_near_normals,
+                               1.);
   }
 
   double
@@ -280,7 +287,7 @@ public:
                std::vector<std::size_t>& plane_of_segment);
 
   /** \brief Root of the mean squared distance of the points of each plane of the last call
-   * to it, in metres, to 10 micrometres. */
+   * to it, in metres, to some 10 micrometres. */
   const std::vector<double>&
   getRms () const
   {

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/set_parameter.h>
 #include <pcl/memory.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/obstacle_extraction.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -98,21 +100,38 @@ public:
     return parameters_.camera_to_base;
   }
 
-  /** \brief How far the normal of the floor may be from z of the base frame, radians,
-   * default 0.17, and its points from z = 0 in the mean, metres, default 0.05. */
+  /** \brief How far the normal of the floor may be from z of the base frame, radians from
+   * 0 to pi, default 0.17, and its points from z = 0 in the mean, metres, 0 or more, default
+   * 0.05. Others are refused with an error message. */
   void
   setFloorTolerances (float angle, float height)
   {
-    parameters_.floor_angle = angle;
-    parameters_.floor_height = height;
+    const std::string setter = getClassName() + "::setFloorTolerances";
+    rgbd_planes::setParameter (setter, angle, parameters_.floor_angle, M_PI);
+    rgbd_planes::setParameter (setter, height, parameters_.floor_height);
   }
 
-  /** \brief The height of the lowest obstacles, metres, default 0.01; where that is less
-   * than three standard deviations of the height of points, lower ones may be missed. */
+  float
+  getFloorAngleTolerance () const
+  {
+    return parameters_.floor_angle;
+  }
+
+  float
+  getFloorHeightTolerance () const
+  {
+    return parameters_.floor_height;
+  }
+
+  /** \brief The height of the lowest obstacles, metres, 0 or more (others: an error
+   * message), default 0.01; where that is less than three standard deviations of the height
+   * of points, lower ones may be missed. */
   void
   setMinObstacleHeight (float height)
   {
-    parameters_.points.min_height = height;
+    rgbd_planes::setParameter (getClassName() + "::setMinObstacleHeight",
+                               height,
+                               parameters_.points.min_height);
   }
 
   float
@@ -121,11 +140,13 @@ public:
     return parameters_.points.min_height;
   }
 
-  /** \brief The depth of the shallowest drop-offs, metres, default 0.03. */
+  /** \brief The depth of the shallowest drop-offs, metres, 0 or more (others: an error
+   * message), default 0.03. */
   void
   setMinDropDepth (float depth)
   {
-    parameters_.points.min_drop = depth;
+    rgbd_planes::setParameter (
+        getClassName() + "::setMinDropDepth", depth, parameters_.points.min_drop);
   }
 
   float
@@ -163,9 +184,10 @@ public:
     return parameters_.points.noise;
   }
 
-  /** \brief The extent of the virtual scan; default 181 degrees ahead in steps of half a
-   * degree, up to 10 m, up to 2 m above the floor. An increment that is not more than 0,
-   * or a span that is negative or a turn: an error message, and the limits before stay. */
+  /** \brief The extent of the virtual scan; default 180 degrees ahead in steps of half a
+   * degree, up to 10 m, up to 2 m above z = 0 of the base frame. An increment that is not
+   * more than 0, a span that is negative or a turn, 100000 directions or more, or a limit
+   * that is NaN: an error message, and the limits before stay. */
   void
   setScanLimits (const ScanLimits& limits);
 

@@ -67,10 +67,12 @@ struct SupportedObject {
  * frame whose origin is the sensor will do if the base transform goes with it), and the planes
  * that NormalSpacePlaneSegmentation or another segmentation found in it. NaN, Inf and (0, 0, 0)
  * mean missing depth. With indices, only these points can be of objects. Output: objects in
- * the order of their first points; replaced, not appended to.
+ * the order of their first points, parts of what was split one after the other; replaced,
+ * not appended to.
  *
  * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
- * its own in the list, or an index outside of the cloud: an error message and no objects.
+ * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
+ * normal for each point: an error message and no objects.
  *
  * \ingroup segmentation
  */
@@ -285,8 +287,12 @@ private:
   checkInput (const std::vector<ModelCoefficients>& model_coefficients,
               const std::vector<PointIndices>& inlier_indices) const;
 
-  void
+  const std::vector<rgbd_planes::ObjectCluster>&
   findClusters (const rgbd_planes::OrganizedPoints& points);
+
+  bool
+  isBackground (const rgbd_planes::OrganizedPoints& points,
+                const rgbd_planes::ObjectCluster& cluster) const;
 
   void
   describe (const rgbd_planes::OrganizedPoints& points,
@@ -301,7 +307,6 @@ private:
   rgbd_planes::SupportPlanes supports_;
   rgbd_planes::ObjectClusters clustering_;
   rgbd_planes::ConcaveSplit split_;
-  std::vector<rgbd_planes::ObjectCluster> clusters_;
   rgbd_planes::ObjectBoxFinder boxes_;
 };
 

@@ -8,10 +8,13 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/type_traits.h>
+#include <pcl/types.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -88,6 +91,19 @@ indicesInside (const pcl::Indices& indices, std::size_t size)
   }
   return indices.empty() ||
          (smallest == 0 && static_cast<std::size_t> (largest) < size);
+}
+
+/** \brief Sets \a selected to 1 for the points of \a indices and 0 for the others of \a size
+ * points; without indices, which stands for all points, it is empty. */
+inline void
+selectPoints (const pcl::Indices* indices,
+              std::size_t size,
+              std::vector<std::uint8_t>& selected)
+{
+  selected.assign (indices ? size : 0, 0);
+  if (indices)
+    for (const pcl::index_t index : *indices)
+      selected[static_cast<std::size_t> (index)] = 1;
 }
 
 } // namespace rgbd_planes

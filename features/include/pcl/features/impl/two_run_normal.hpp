@@ -65,13 +65,13 @@ TwoRunNormalEstimation<PointInT, PointOutT>::setRadius (float constant,
   };
   if (!allowed (constant) || !allowed (linear) || !allowed (quadratic) ||
       constant + linear + quadratic == 0.f) {
-    PCL_ERROR (
-        "[pcl::%s::setRadius] The numbers must not be negative and not all 0, got "
-        "%g, %g and %g. Nothing changed.\n",
-        feature_name_.c_str(),
-        constant,
-        linear,
-        quadratic);
+    PCL_ERROR ("[pcl::%s::setRadius] The numbers must be finite, not negative and not "
+               "all 0, got "
+               "%g, %g and %g. Nothing changed.\n",
+               feature_name_.c_str(),
+               constant,
+               linear,
+               quadratic);
     return;
   }
   parameters_.radius = [=] (float z) {

@@ -18,7 +18,8 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setAngularThreshold (
     double angular_threshold)
 {
-  if (!(angular_threshold > 0. && angular_threshold <= M_PI / 4.)) {
+  if (!(angular_threshold > 0. &&
+        static_cast<float> (angular_threshold) <= static_cast<float> (M_PI / 4.))) {
     PCL_ERROR (
         "[pcl::%s::setAngularThreshold] The threshold must be more than 0 and at "
         "most pi / 4 radians, got %g. Keeping %g.\n",
@@ -87,12 +88,7 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 {
   if (checkInput()) {
-    selected_.clear();
-    if (indices_) {
-      selected_.resize (input_->size(), 0);
-      for (const index_t index : *indices_)
-        selected_[static_cast<std::size_t> (index)] = 1;
-    }
+    rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
     const PointNT& first = normals_->front();
     plane_extraction_.compute (
         rgbd_planes::viewPoints (*input_),

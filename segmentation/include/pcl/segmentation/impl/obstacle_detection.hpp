@@ -5,6 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/obstacle_detection.h>
 
 #include <cmath>
@@ -21,14 +22,9 @@ ObstacleDetection<PointT, PointNT, PointLT>::setInputPlanes (
   planes_.coefficients.clear();
   for (const auto& model : model_coefficients) {
     // What is no plane becomes one that is no floor: labels keep their meaning.
-    Eigen::Vector4f plane = Eigen::Vector4f::Zero();
-    if (model.values.size() == 4)
-      plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
-    const float length = plane.head<3>().norm();
-    plane *= (plane[3] < 0.f ? -1.f : 1.f) / length;
-    if (!plane.allFinite())
-      plane.setZero();
-    planes_.coefficients.push_back (plane);
+    const Eigen::Vector4f plane = rgbd_planes::planeVector (model);
+    planes_.coefficients.push_back (plane.allFinite() ? plane
+                                                      : Eigen::Vector4f::Zero());
   }
 }
 
@@ -56,16 +52,19 @@ ObstacleDetection<PointT, PointNT, PointLT>::setScanLimits (const ScanLimits& li
   constexpr float max_directions = 1e5f;
   if (!(limits.angle_increment > 0.f && span >= 0.f && span < turn &&
         span / limits.angle_increment < max_directions &&
-        std::isfinite (limits.angle_min))) {
-    PCL_ERROR ("[pcl::%s::setScanLimits] From %g to %g in steps of %g radians is no "
-               "scan: give "
-               "a first angle, a last one less than a turn further, and a step of more "
-               "than 0. "
-               "Keeping the limits before.\n",
+        std::isfinite (limits.angle_min) && std::isfinite (limits.angle_increment) &&
+        limits.range_min <= limits.range_max && !std::isnan (limits.max_height))) {
+    PCL_ERROR ("[pcl::%s::setScanLimits] From %g to %g in steps of %g radians, at %g "
+               "to %g m, up to %g m high is no scan: give a first angle, a last one "
+               "less than a turn further, a step of more than 0, and ranges and a "
+               "height that are no NaN. Keeping the limits before.\n",
                getClassName().c_str(),
                limits.angle_min,
                limits.angle_max,
-               limits.angle_increment);
+               limits.angle_increment,
+               limits.range_min,
+               limits.range_max,
+               limits.max_height);
     return;
   }
   parameters_.scan = limits;
@@ -75,14 +74,15 @@ template <typename PointT, typename PointNT, typename PointLT>
 bool
 ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
 {
-  const std::string name = getClassName();
   if (!input_) {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", name.c_str());
+    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n",
+               getClassName().c_str());
     return false;
   }
   if (!rgbd_planes::isImage (*input_)) {
-    PCL_ERROR (
-        "[pcl::%s] %s\n", name.c_str(), rgbd_planes::notAnImage (*input_).c_str());
+    PCL_ERROR ("[pcl::%s] %s\n",
+               getClassName().c_str(),
+               rgbd_planes::notAnImage (*input_).c_str());
     return false;
   }
   const std::size_t normals = normals_ ? normals_->size() : 0;
@@ -91,7 +91,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
     PCL_ERROR ("[pcl::%s] The input has %zu points, %zu normals and %zu labels: pass a "
                "normal and a label for each point of the whole cloud to "
                "setInputNormals and setInputPlanes.\n",
-               name.c_str(),
+               getClassName().c_str(),
                input_->size(),
                normals,
                labels);
@@ -102,7 +102,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
     PCL_ERROR (
         "[pcl::%s] An index lies outside of the input cloud: give indices from 0 "
         "to %zu.\n",
-        name.c_str(),
+        getClassName().c_str(),
         input_->size() - 1);
     return false;
   }
@@ -118,11 +118,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
     extraction_ = rgbd_planes::ObstacleExtraction();
     return;
   }
-  if (indices_) {
-    selected_.assign (input_->size(), 0);
-    for (const pcl::index_t index : *indices_)
-      selected_[static_cast<std::size_t> (index)] = 1;
-  }
+  rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
   const PointNT& normal = normals_->front();
   planes_.labels = &labels_->front().label;
   planes_.stride = sizeof (PointLT) / sizeof (std::uint32_t);

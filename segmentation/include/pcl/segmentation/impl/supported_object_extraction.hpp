@@ -5,6 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::setHorizontalTolerance (double tolerance)
 {
-  if (tolerance <= M_PI / 2.)
+  if (static_cast<float> (tolerance) <= static_cast<float> (M_PI / 2.))
     return setLength (
         "setHorizontalTolerance", true, tolerance, parameters_.horizontal_tolerance);
   PCL_ERROR ("[pcl::%s::setHorizontalTolerance] The tolerance must be 0 to pi / 2 "
@@ -177,52 +178,56 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
 {
   if (!checkInput (model_coefficients, inlier_indices)) {
     objects.clear();
+    supports_ = rgbd_planes::SupportPlanes();
     return;
   }
   planes_.clear();
   for (std::size_t k = 0; k < inlier_indices.size(); ++k) {
-    const auto& values = model_coefficients[k].values;
-    planes_.push_back (
-        {{{values[0], values[1], values[2]}, values[3]}, &inlier_indices[k].indices});
+    const Eigen::Vector4f plane = rgbd_planes::planeVector (model_coefficients[k]);
+    planes_.push_back ({{plane.head<3>(), plane[3]}, &inlier_indices[k].indices});
   }
-  selected_.assign (indices_ ? input_->size() : 0, 0);
-  if (indices_)
-    for (const pcl::index_t index : *indices_)
-      selected_[static_cast<std::size_t> (index)] = 1;
-
+  rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
   const auto points = rgbd_planes::viewPoints (*input_);
-  findClusters (points);
-  objects.resize (clusters_.size());
-  for (std::size_t k = 0; k < objects.size(); ++k)
-    describe (points, clusters_[k], objects[k]);
+  std::size_t count = 0;
+  for (const auto& cluster : findClusters (points)) {
+    if (isBackground (points, cluster))
+      continue;
+    objects.resize (std::max (objects.size(), count + 1));
+    describe (points, cluster, objects[count++]);
+  }
+  objects.resize (count);
 }
 
 template <typename PointT, typename PointNT>
-void
+const std::vector<rgbd_planes::ObjectCluster>&
 SupportedObjectExtraction<PointT, PointNT>::findClusters (
     const rgbd_planes::OrganizedPoints& points)
 {
   supports_.compute (points, planes_, camera_to_base_, parameters_);
   clustering_.compute (points, selected_, supports_.planes(), parameters_);
-  clusters_ = clustering_.clusters();
-  if (parameters_.split_at_concave_edges) {
-    const PointNT& first = normals_->front();
-    split_.compute (
-        points,
-        {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
-        clustering_.pixelAngle(),
-        planes_,
-        supports_.planes(),
-        parameters_,
-        clusters_);
-  }
-  // Strips of the wall behind a table.
-  const auto isBackground = [&] (const rgbd_planes::ObjectCluster& cluster) {
-    return rgbd_planes::liesOnOneOf (
-        supports_.background(), points, cluster.indices, parameters_.noise);
-  };
-  clusters_.erase (std::remove_if (clusters_.begin(), clusters_.end(), isBackground),
-                   clusters_.end());
+  if (!parameters_.split_at_concave_edges)
+    return clustering_.clusters();
+  const PointNT& first = normals_->front();
+  split_.compute (
+      points,
+      {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
+      clustering_.pixelAngle(),
+      planes_,
+      supports_.planes(),
+      parameters_,
+      clustering_.clusters());
+  return split_.parts();
+}
+
+/** Whether it is a strip of the wall behind a table. */
+template <typename PointT, typename PointNT>
+bool
+SupportedObjectExtraction<PointT, PointNT>::isBackground (
+    const rgbd_planes::OrganizedPoints& points,
+    const rgbd_planes::ObjectCluster& cluster) const
+{
+  return rgbd_planes::liesOnOneOf (
+      supports_.background(), points, cluster.indices, parameters_.noise);
 }
 
 template <typename PointT, typename PointNT>
