@@ -35,7 +35,8 @@ PlaneTracker::track (const std::vector<ModelCoefficients>& model_coefficients,
                      std::vector<std::uint32_t>& ids)
 {
   ids.clear();
-  if (!checkInput (model_coefficients, labels))
+  // A frame that could not be segmented has no labels: all is as before it.
+  if (!checkInput (model_coefficients, labels) || labels.empty())
     return;
   planes_.clear();
   for (const auto& model : model_coefficients)
@@ -54,6 +55,14 @@ PlaneTracker::checkInput (const std::vector<ModelCoefficients>& model_coefficien
 {
   if (!model_coefficients.empty() && labels.empty()) {
     PCL_ERROR ("[pcl::PlaneTracker::track] The planes have no labels.\n");
+    return false;
+  }
+  if (labels.size() != static_cast<std::size_t> (labels.width) * labels.height) {
+    PCL_ERROR (
+        "[pcl::PlaneTracker::track] %zu labels are no image of %u x %u pixels.\n",
+        labels.size(),
+        labels.width,
+        labels.height);
     return false;
   }
   for (const auto& model : model_coefficients)

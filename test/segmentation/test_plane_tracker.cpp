@@ -143,6 +143,23 @@ TEST (PlaneTracker, FramesWithoutPlanesOrPixels)
       << "a plane without pixels";
 }
 
+TEST (PlaneTracker, AFrameThatCouldNotBeSegmentedIsSkipped)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall, ground}, "aaaabbbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, {}), Ids{});
+  EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbbaaaa")), (Ids{1, 0}));
+}
+
+TEST (PlaneTracker, LabelsThatAreNoImageAreRefused)
+{
+  pcl::PlaneTracker tracker;
+  Image image = row ({wall}, "aaaa");
+  image.labels.width = 1000;
+  EXPECT_EQ (track (tracker, image), Ids{});
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
+}
+
 TEST (PlaneTracker, BadInputIsRefusedAndForgotten)
 {
   pcl::PlaneTracker tracker;
