@@ -18,13 +18,14 @@ defaultCameraToBase ()
 std::optional<Eigen::Affine3f>
 cameraToBaseFromFloor (const Eigen::Vector4f& floor)
 {
-  const float length = floor.head<3>().norm();
-  if (!floor.allFinite() || !std::isnormal (length))
-    return std::nullopt;
   // The normal points to the side on which the camera is.
-  const float scale = (floor[3] < 0.f ? -1.f : 1.f) / length;
-  const Eigen::Vector3f up = scale * floor.head<3>();
-  const float height = scale * floor[3];
+  const double scale =
+      (floor[3] < 0.f ? -1. : 1.) / floor.head<3>().cast<double>().norm();
+  const Eigen::Vector4f plane = (scale * floor.cast<double>()).cast<float>();
+  if (!plane.allFinite())
+    return std::nullopt;
+  const Eigen::Vector3f up = plane.head<3>();
+  const float height = plane[3];
 
   constexpr float min_sine = 0.0175f; // 1 degree
   Eigen::Vector3f forward = Eigen::Vector3f::UnitZ() - up.z() * up;

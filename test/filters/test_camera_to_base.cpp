@@ -151,6 +151,15 @@ TEST (CameraToBase, WithIndicesOnlyThesePointsAreGiven)
   EXPECT_EQ (output[0].curvature, 4.f);
   EXPECT_EQ (output[1].curvature, 1.f);
 
+  // As many as there are points.
+  filter.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{4, 1, 1, 5, 0, 3}));
+  ASSERT_EQ (cloud->size(), 6u);
+  filter.filter (output);
+  ASSERT_EQ (output.size(), 6u);
+  EXPECT_EQ (output.height, 1u);
+  EXPECT_EQ (output[0].curvature, 4.f);
+  EXPECT_EQ (output[2].curvature, 1.f);
+
   filter.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{6}));
   filter.filter (output);
   EXPECT_TRUE (output.empty());
@@ -213,7 +222,7 @@ TEST (CameraToBase, AFloorTellsHeightAndTilt)
   for (const float height : {0.2f, 1.5f})
     for (const float pitch : {-0.5f, 0.f, 0.8f, 1.5f})
       for (const float roll : {-0.3f, 0.f, 0.1f})
-        for (const float scale : {1.f, -1.f, 3.f}) {
+        for (const float scale : {1.f, -1.f, 3.f, 1e-22f, 1e30f}) {
           const Eigen::Affine3f truth = cameraPose (height, pitch, roll);
           const Eigen::Vector4f floor = scale * floorSeenFrom (truth);
           pcl::ModelCoefficients model;

@@ -119,4 +119,15 @@ TEST_F (ObstacleFilterTest, BadInputKeepsNothing)
   EXPECT_EQ (kept().size(), 3u);
   filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{2, 12}));
   EXPECT_TRUE (kept().empty());
+
+  // Nor does a cloud that stays organized keep a point.
+  filter_.setKeepOrganized (true);
+  Cloud output;
+  for (const bool negative : {false, true}) {
+    filter_.setNegative (negative);
+    filter_.filter (output);
+    EXPECT_EQ (output.size(), cloud_->size());
+    for (const auto& point : output)
+      EXPECT_TRUE (std::isnan (point.z));
+  }
 }

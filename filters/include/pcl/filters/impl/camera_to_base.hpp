@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/organized_view.h>
@@ -71,10 +70,13 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
-  if (for_indices)
-    pcl::copyPointCloud (*input_, *indices_, output);
-  else
-    output = *input_;
+  output = *input_;
+  if (for_indices) {
+    // PCL's copyPointCloud takes as many indices as there are points for all points.
+    output.resize (static_cast<std::uint32_t> (indices_->size()), 1);
+    for (std::size_t i = 0; i < indices_->size(); ++i)
+      output[i] = (*input_)[static_cast<std::size_t> ((*indices_)[i])];
+  }
   output.header.frame_id = base_frame_;
   output.sensor_origin_ = transform_.translation().homogeneous();
   output.sensor_orientation_ = Eigen::Quaternionf (transform_.linear());

@@ -9,6 +9,8 @@
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>
 
+#include <numeric>
+
 namespace pcl {
 
 template <typename PointT>
@@ -26,6 +28,10 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
                input_->size(),
                classes_ ? classes_->size() : std::size_t{0},
                is_inside ? "" : ", and an index lies outside of it");
+    if (extract_removed_indices_) {
+      removed_indices_->resize (input_->size());
+      std::iota (removed_indices_->begin(), removed_indices_->end(), 0);
+    }
     return;
   }
   for (const pcl::index_t index : *indices_) {
