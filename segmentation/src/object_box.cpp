@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "link_kernels.h"
+
 #include <pcl/segmentation/object_box.h>
 
 #include <algorithm>
@@ -30,8 +32,6 @@ constexpr float far_sigmas = 3.f;
 /** So many points at least are of a face that is seen, and so many of a top. */
 constexpr float min_front_part = 0.05f;
 constexpr std::size_t min_top_points = 20;
-/** Tops are seen from above at no less than 9 degrees; the sine of it. */
-constexpr float min_rise = 0.15f;
 
 float
 cross (const Eigen::Vector2f& a, const Eigen::Vector2f& b)
@@ -217,8 +217,9 @@ ObjectBoxFinder::withoutNoise (const Range& range,
     if (heights_[i] < view.below_top && x <= range.low + face_sigmas * spread)
       front.add (x);
   }
-  if (view.rise < min_rise || static_cast<float> (front.count) <
-                                  min_front_part * static_cast<float> (heights_.size()))
+  if (view.rise < LinkLimit::min_rise ||
+      static_cast<float> (front.count) <
+          min_front_part * static_cast<float> (heights_.size()))
     return range;
 
   // Where the rays meet the top is free of noise. A pixel sees the more of it, the further.

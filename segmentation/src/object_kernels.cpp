@@ -41,8 +41,8 @@ constexpr float max_reach_px = 5.f;
 static_assert (max_reach_px <= ClusterImage::margin, "points lie inside of the image");
 /** A point is above the tangent plane of another one when it rises by this part of their
  * distance, 17 degrees, and by more than noise: that many standard deviations of depth. */
-constexpr float min_rise = 0.3f;
-constexpr float min_rise_sigmas = 2.f;
+constexpr float min_step_rise = 0.3f;
+constexpr float min_step_sigmas = 2.f;
 
 using Places = std::ptrdiff_t[4];
 
@@ -94,9 +94,10 @@ struct Surface {
   {
     const V rise = dot (normals, way);
     const V sigma = sigmaOf (noise, squaredLength (points));
-    return hn::And (hn::Gt (rise, hn::Mul (set (min_rise_sigmas), sigma)),
-                    hn::Gt (hn::Mul (rise, rise),
-                            hn::Mul (set (min_rise * min_rise), squaredLength (way))));
+    return hn::And (
+        hn::Gt (rise, hn::Mul (set (min_step_sigmas), sigma)),
+        hn::Gt (hn::Mul (rise, rise),
+                hn::Mul (set (min_step_rise * min_step_rise), squaredLength (way))));
   }
 };
 

@@ -8,7 +8,6 @@
 #include <pcl/segmentation/plane_growth.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace pcl {

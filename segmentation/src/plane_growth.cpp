@@ -72,9 +72,8 @@ PlaneGrowth::grow (PlaneSamples& samples,
   if (!claimUntilStable (samples, plane, max_sigmas_))
     return Result::too_few_points;
   // Steps look curved to those who reach too far.
-  if (isCurved (samples, plane_) &&
-      (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) ||
-       isCurved (samples, plane_))) {
+  if (isCurved (samples) &&
+      (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) || isCurved (samples))) {
     take (samples, curved_surface);
     return Result::curved;
   }
@@ -112,7 +111,7 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
 }
 
 /** Leaves the plane, its claims, and their sums. */
-bool
+void
 PlaneGrowth::claimSeed (const PlaneSamples& samples, const Plane& plane)
 {
   plane_ = plane;
@@ -126,7 +125,6 @@ PlaneGrowth::claimSeed (const PlaneSamples& samples, const Plane& plane)
     number += static_cast<std::size_t> (taken);
   }
   sums_ = sumOver (samples, tiles_, number);
-  return true;
 }
 
 /** Leaves the plane, its claims, and their sums. */
@@ -135,8 +133,10 @@ PlaneGrowth::claimUntilStable (const PlaneSamples& samples,
                                Plane plane,
                                float max_sigmas)
 {
-  if (!additions_.growth)
-    return claimSeed (samples, plane);
+  if (!additions_.growth) {
+    claimSeed (samples, plane);
+    return true;
+  }
   const double min_claim = std::max (3., min_claim_share * min_points_);
   double before = 0.;
   for (int i = 0;; ++i) {
@@ -209,7 +209,7 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
 }
 
 bool
-PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
+PlaneGrowth::isCurved (const PlaneSamples& samples) const
 {
   if (!additions_.curved)
     return false;
@@ -219,7 +219,7 @@ PlaneGrowth::isCurved (const PlaneSamples& samples, const Plane& plane) const
               claimed_.data(),
               {reference_[0], reference_[1], reference_[2]},
               sums);
-  const SurfaceTurn turn = turnOf (sums, plane.normal);
+  const SurfaceTurn turn = turnOf (sums, plane_.normal);
   return turn.over_all > max_turn + max_turn_per_metre * reference_.norm() ||
          (turn.per_metre > max_bend && turn.over_all > min_bent_turn);
 }

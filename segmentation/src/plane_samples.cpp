@@ -7,7 +7,6 @@
 #include <pcl/segmentation/plane_samples.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace rgbd_planes {

@@ -69,7 +69,7 @@ private:
   PlaneMoments
   fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
 
-  bool
+  void
   claimSeed (const PlaneSamples& samples, const Plane& plane);
 
   bool
@@ -79,7 +79,7 @@ private:
   claimConnected (const PlaneSamples& samples, float max_sigmas);
 
   bool
-  isCurved (const PlaneSamples& samples, const Plane& plane) const;
+  isCurved (const PlaneSamples& samples) const;
 
   void
   take (PlaneSamples& samples, std::int32_t owner);
