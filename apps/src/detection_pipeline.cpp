@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/detection_pipeline.h>
-#include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/object_methods.h>
 
 #include <algorithm>
@@ -24,14 +23,7 @@ DetectionPipeline::findPlanes (const Cloud::ConstPtr& cloud,
   segmentation_.segment (
       models_, inliers_, centroids_, covariances_, *labels_, label_indices_);
 
-  const Eigen::Affine3f pose =
-      camera_to_base ? *camera_to_base
-                     : estimateCameraToBase (models_).value_or (defaultCameraToBase());
-  extraction_.setBaseTransform (pose);
-  detection_.setCameraToBase (pose);
-  const double lowest_m = camera_to_base ? 0. : -2.; // what has height 0 may be a table
-  const double highest_m = camera_to_base ? 1.2 : 2.;
-  extraction_.setPlaneHeights (lowest_m, highest_m);
+  detection_.setCameraToBase (setPose (camera_to_base, models_, extraction_));
 }
 
 void

@@ -84,7 +84,8 @@ const char base_transform_help[] =
     "where the camera is in the frame of the robot (x forward, y left, z up), in "
     "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
     "that of a simulated camera, or else the largest plane that faces up in the image "
-    "is taken for the floor, or for a table";
+    "is taken for the floor, or for a table, and if none does, the largest one, even a "
+    "wall: give it for obstacles";
 
 po::options_description
 inputOptionsDescription ()
@@ -99,7 +100,9 @@ inputOptionsDescription ()
       po::value<std::string>()->value_name ("UNITS_PER_M"),
       "what depth images hold at 1 m; 5000 for TUM RGB-D folders") (
       "resolution",
-      po::value<std::string>()->value_name ("vga|qvga|qqvga")->default_value ("vga"),
+      po::value<std::string>()
+          ->value_name ("vga|qvga|qqvga")
+          ->default_value ("vga", "vga; where all are compared: each"),
       "take every 1st, 2nd or 4th pixel of every 1st, 2nd or 4th row") (
       "frames",
       po::value<std::string>()->value_name ("N"),

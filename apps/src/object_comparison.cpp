@@ -12,20 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-/** Parts of nothing are NaN, which JSON has as null. */
-double
-percent (std::size_t part, std::size_t whole)
-{
-  return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole)
-               : std::numeric_limits<double>::quiet_NaN();
-}
 
 std::string
 cell (double value)
@@ -84,20 +75,20 @@ objectFigures (const ObjectEvaluation& e)
   const auto count = [&] (std::size_t number) {
     return known ? nlohmann::ordered_json (number) : nlohmann::ordered_json();
   };
-  return {{"objects_percent", percent (all.found_50, all.objects)},
+  return {{"objects_percent", percentOf (all.found_50, all.objects)},
           {"false_objects", count (e.false_objects)},
           {"false_object_points_percent", e.falsePointsPercent()},
-          {"objects_80_percent", percent (all.found_80, all.objects)},
+          {"objects_80_percent", percentOf (all.found_80, all.objects)},
           {"objects_apart", count (e.apart.objects)},
-          {"apart_50_percent", percent (e.apart.found_50, e.apart.objects)},
-          {"apart_80_percent", percent (e.apart.found_80, e.apart.objects)},
+          {"apart_50_percent", percentOf (e.apart.found_50, e.apart.objects)},
+          {"apart_80_percent", percentOf (e.apart.found_80, e.apart.objects)},
           {"objects_touching", count (e.touching.objects)},
-          {"touching_50_percent", percent (e.touching.found_50, e.touching.objects)},
-          {"touching_80_percent", percent (e.touching.found_80, e.touching.objects)},
-          {"graspable_right_percent", percent (e.graspable_right, e.sized)},
-          {"boxes_right_percent", percent (e.boxes_right, e.boxes)},
+          {"touching_50_percent", percentOf (e.touching.found_50, e.touching.objects)},
+          {"touching_80_percent", percentOf (e.touching.found_80, e.touching.objects)},
+          {"graspable_right_percent", percentOf (e.graspable_right, e.sized)},
+          {"boxes_right_percent", percentOf (e.boxes_right, e.boxes)},
           {"boxes_seen", count (e.boxes_seen)},
-          {"boxes_seen_right_percent", percent (e.boxes_seen_right, e.boxes_seen)}};
+          {"boxes_seen_right_percent", percentOf (e.boxes_seen_right, e.boxes_seen)}};
 }
 
 ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps)
@@ -147,8 +138,8 @@ ObjectComparison::table() const
   for (const auto& result : results_) {
     const ObjectEvaluation& e = result.evaluation;
     const auto counts = [] (const ObjectCounts& c) {
-      return std::make_pair (cell (percent (c.found_50, c.objects)),
-                             cell (percent (c.found_80, c.objects)));
+      return std::make_pair (cell (percentOf (c.found_50, c.objects)),
+                             cell (percentOf (c.found_80, c.objects)));
     };
     const auto apart = counts (e.apart), touching = counts (e.touching),
                all = counts (e.all());
@@ -157,8 +148,8 @@ ObjectComparison::table() const
              result.method % result.resolution % median (result.milliseconds) %
              e.apart.objects % apart.first % apart.second % e.touching.objects %
              touching.first % touching.second % all.first % all.second %
-             e.false_objects % cell (percent (e.graspable_right, e.sized)) %
-             cell (percent (e.boxes_right, e.boxes)))
+             e.false_objects % cell (percentOf (e.graspable_right, e.sized)) %
+             cell (percentOf (e.boxes_right, e.boxes)))
                 .str();
   }
   return text;

@@ -2,12 +2,10 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/object_evaluation.h>
+#include <pcl/apps/statistics.h>
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -24,7 +22,7 @@ constexpr float apart_m = 0.02f;
 
 /** The measured points of a true object. */
 struct Region {
-  const TrueObject* size = nullptr;
+  const TrueObject* object = nullptr;
   std::vector<Eigen::Vector3f> positions;
   Eigen::AlignedBox3f bounds;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -35,8 +33,8 @@ struct Region {
   {
     const auto points = static_cast<float> (positions.size());
     return positions.size() >= min_points && (sum / points).norm() <= max_range_m &&
-           (!size ||
-            (size->size.z() >= min_height_m && size->size.z() <= max_height_m));
+           (!object ||
+            (object->size.z() >= min_height_m && object->size.z() <= max_height_m));
   }
 };
 
@@ -60,7 +58,7 @@ collectRegions (const OrganizedPoints& points,
   for (const auto& object : truth.objects) {
     const auto region = regions.find (object.id);
     if (region != regions.end())
-      region->second.size = &object;
+      region->second.object = &object;
   }
   return regions;
 }
@@ -186,8 +184,8 @@ ObjectEvaluation::add (const OrganizedPoints& points,
       ObjectCounts& counts = region.is_apart ? apart : touching;
       ++counts.found_50;
       counts.found_80 += iou >= 0.8;
-      if (region.is_apart && region.size)
-        countSize (*region.size, region.positions, object);
+      if (region.is_apart && region.object)
+        countSize (*region.object, region.positions, object);
       break;
     }
   }
@@ -224,9 +222,7 @@ ObjectEvaluation::all() const
 double
 ObjectEvaluation::falsePointsPercent() const
 {
-  return measured_ ? 100. * static_cast<double> (false_points_) /
-                         static_cast<double> (measured_)
-                   : std::numeric_limits<double>::quiet_NaN();
+  return percentOf (false_points_, measured_);
 }
 
 } // namespace rgbd_planes

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <map>
 #include <memory>
 
@@ -45,14 +44,7 @@ public:
     segmentation_.setInputCloud (input.cloud);
     segmentation_.setInputNormals (normals_);
     segmentation_.segment (models_, inliers_);
-    if (input.camera_to_base) {
-      extraction_.setBaseTransform (*input.camera_to_base);
-    }
-    else if (const auto estimate = estimateCameraToBase (models_)) {
-      constexpr double anywhere = 2.;
-      extraction_.setBaseTransform (*estimate);
-      extraction_.setPlaneHeights (-anywhere, anywhere);
-    }
+    setPose (input.camera_to_base, models_, extraction_);
     extraction_.setMinPoints (input.min_points);
     extraction_.setInputCloud (input.cloud);
     extraction_.setInputNormals (normals_);
@@ -112,6 +104,21 @@ minObjectPoints (std::size_t pixels)
 {
   constexpr std::size_t fewest = 20;
   return static_cast<unsigned> (std::max (pixels * 40 / (640 * 480), fewest));
+}
+
+Eigen::Affine3f
+setPose (const std::optional<Eigen::Affine3f>& camera_to_base,
+         const std::vector<pcl::ModelCoefficients>& models,
+         pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal>& extraction)
+{
+  const Eigen::Affine3f pose =
+      camera_to_base ? *camera_to_base
+                     : estimateCameraToBase (models).value_or (defaultCameraToBase());
+  extraction.setBaseTransform (pose);
+  const double lowest_m = camera_to_base ? 0. : -2.; // what has height 0 may be a table
+  const double highest_m = camera_to_base ? 1.2 : 2.;
+  extraction.setPlaneHeights (lowest_m, highest_m);
+  return pose;
 }
 
 std::vector<ObjectMethod>

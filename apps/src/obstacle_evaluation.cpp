@@ -2,10 +2,10 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/obstacle_evaluation.h>
+#include <pcl/apps/statistics.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -22,13 +22,6 @@ areConnected (const TruthPoint& a, const TruthPoint& b)
 {
   return a.obstacle != 0 && b.obstacle != 0 && a.object == b.object &&
          (a.getVector3fMap() - b.getVector3fMap()).norm() <= max_gap_m;
-}
-
-double
-percent (std::size_t part, std::size_t whole)
-{
-  return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole)
-               : std::numeric_limits<double>::quiet_NaN();
 }
 
 /** What is known of a true obstacle. */
@@ -129,13 +122,13 @@ ObstacleEvaluation::addFloorPoint (const float* point,
 double
 ObstacleEvaluation::obstaclesPercent() const
 {
-  return percent (found_obstacles, obstacles);
+  return percentOf (found_obstacles, obstacles);
 }
 
 double
 ObstacleEvaluation::falsePointsPercent() const
 {
-  return percent (false_points, floor_points);
+  return percentOf (false_points, floor_points);
 }
 
 } // namespace rgbd_planes

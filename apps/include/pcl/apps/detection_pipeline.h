@@ -43,12 +43,6 @@ public:
     return objects_;
   }
 
-  const std::vector<Obstacle>&
-  obstacles () const
-  {
-    return obstacles_;
-  }
-
   /** \brief The class of each point. */
   const std::vector<ObstacleClass>&
   classes () const

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <pcl/apps/object_evaluation.h>
+#include <pcl/ModelCoefficients.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/segmentation/supported_object_extraction.h>
 
 #include <Eigen/Geometry>
 
@@ -42,6 +44,16 @@ struct ObjectMethod {
  * proportion for others, and no fewer than 20. */
 unsigned
 minObjectPoints (std::size_t pixels);
+
+/** \brief Sets where the camera is, and at which heights planes are looked for: at all, if
+ * it is only estimated.
+ * \param[in] camera_to_base without, estimateCameraToBase() of \a models
+ * \return the transform
+ */
+Eigen::Affine3f
+setPose (const std::optional<Eigen::Affine3f>& camera_to_base,
+         const std::vector<pcl::ModelCoefficients>& models,
+         pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal>& extraction);
 
 /** \brief Ours, "supported" and, with the split at concave edges, "supported_split". */
 std::vector<ObjectMethod>
