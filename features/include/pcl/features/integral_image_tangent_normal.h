@@ -111,8 +111,9 @@ public:
   void
   setNormalSmoothingSize (float normal_smoothing_size);
 
-  /** \brief A smoothing area of fixed size at every range: the paper's estimator. The
-   * same as setDepthDependentSmoothing (false) and a smoothing size for each direction.
+  /** \brief A smoothing area of fixed size at every range, as in the paper: its estimator
+   * with setEdgeAware (false) and setScaleSelection (false). The same as
+   * setDepthDependentSmoothing (false) and a smoothing size for each direction.
    * \param[in] width in pixels, more than 0
    * \param[in] height in pixels, more than 0
    */
@@ -121,7 +122,7 @@ public:
 
   /** \brief Let the smoothing area grow with the square root of the range, from its size
    * at 1 m to 2.7 times that; default false, as in PCL. Far points get smoother normals,
-   * in half again the time. */
+   * in 1.4 to 1.9 times the time. */
   void
   setDepthDependentSmoothing (bool use_depth_dependent_smoothing)
   {
@@ -129,8 +130,7 @@ public:
   }
 
   /** \brief Average the planes around each point on which it lies, so that normals keep to
-   * their side of edges and creases; default true. With false, this is the paper's
-   * estimator. */
+   * their side of edges and creases; default true. The paper does not. */
   void
   setEdgeAware (bool edge_aware)
   {
@@ -139,7 +139,8 @@ public:
 
   /** \brief Compute several sizes of the smoothing area, from the given one to 2.7 times
    * that, and choose the most likely normal for each point (section 3 of the paper);
-   * default false. Smoothest, in half again the time; near edges, areas may be too large.
+   * default false. Smoothest, in 1.4 to 1.9 times the time; near edges, areas may be too
+   * large.
    * Takes the place of depth-dependent smoothing. */
   void
   setScaleSelection (bool scale_selection)
