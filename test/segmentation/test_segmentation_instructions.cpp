@@ -132,6 +132,8 @@ TEST (SegmentationInstructions, AllFindTheSame)
       EXPECT_LE (shareOfDifferences (found.labels, expected.labels), 1e-3);
       EXPECT_LE (shareOfDifferences (found.objects, expected.objects), 1e-3);
       EXPECT_LE (shareOfDifferences (found.classes, expected.classes), 1e-3);
+      ASSERT_EQ (found.ranges.size(), expected.ranges.size());
+      ASSERT_FALSE (found.ranges.empty());
       std::size_t differ = 0;
       for (std::size_t i = 0; i < found.ranges.size(); ++i)
         differ += found.ranges[i] != expected.ranges[i] &&

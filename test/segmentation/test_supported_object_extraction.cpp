@@ -564,10 +564,13 @@ TEST (SupportedObjectExtraction, OptimisesAModelThatOutliersSpoilt)
   model[3] += 0.012f;
   Extraction extraction;
   EXPECT_EQ (extract (extraction, view).size(), 1u);
-  for (const auto& support : extraction.getSupportPlanes())
-    if (support.index == view.top.at (1)) {
-      EXPECT_NEAR (support.plane.d, true_d, 0.001f);
-    }
+  const auto& supports = extraction.getSupportPlanes();
+  const auto table_top =
+      std::find_if (supports.begin(), supports.end(), [&] (const auto& support) {
+        return support.index == view.top.at (1);
+      });
+  ASSERT_NE (table_top, supports.end());
+  EXPECT_NEAR (table_top->plane.d, true_d, 0.001f);
 }
 
 TEST (SupportedObjectExtraction, PlanesMayHaveAnySignAndLength)

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_kernels.h"
+#include "tile_bits.h"
+
+#include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/plane_growth.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Normals at creases may be off by 35 degrees, where their estimator averages over them.
+ */
+constexpr float max_min_cosine = 0.82f;
+
+} // namespace
+
+void
+PlaneAssignment::findPlanes (const PlaneSamples& samples,
+                             const std::vector<std::int32_t>& owners,
+                             const std::vector<Plane>& planes)
+{
+  findPresentPlanes (samples, owners);
+  candidates_.clear();
+  first_candidate_.clear();
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    first_candidate_.push_back (candidates_.size());
+    findCandidates (samples, owners, planes, tile);
+  }
+  first_candidate_.push_back (candidates_.size());
+}
+
+void
+PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
+{
+  candidates_.clear();
+  first_candidate_.clear();
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const std::size_t sample = i % PlaneSamples::tile_size;
+    if (sample == 0)
+      first_candidate_.push_back (candidates_.size());
+    if (owners[i] < 0)
+      continue;
+    const auto plane = static_cast<std::uint32_t> (owners[i]);
+    auto candidate = std::find_if (
+        candidates_.begin() + static_cast<std::ptrdiff_t> (first_candidate_.back()),
+        candidates_.end(),
+        [plane] (const Candidate& known) { return known.plane == plane; });
+    if (candidate == candidates_.end())
+      candidate = candidates_.insert (candidate, {plane, 0});
+    candidate->compatible =
+        static_cast<std::uint16_t> (candidate->compatible | 1u << sample);
+  }
+  first_candidate_.push_back (candidates_.size());
+}
+
+void
+PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
+                                    const std::vector<std::int32_t>& owners)
+{
+  present_.clear();
+  first_present_.clear();
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    first_present_.push_back (present_.size());
+    std::int32_t own[PlaneSamples::tile_size];
+    std::copy_n (&owners[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, own);
+    if (std::all_of (
+            own, std::end (own), [&] (std::int32_t o) { return o == own[0]; })) {
+      if (own[0] >= 0)
+        present_.push_back (static_cast<std::uint32_t> (own[0]));
+      continue;
+    }
+    std::sort (own, std::end (own));
+    for (std::size_t k = 0; k + min_samples_in_tile <= PlaneSamples::tile_size; ++k)
+      if (own[k] >= 0 && own[k] == own[k + min_samples_in_tile - 1] &&
+          (k == 0 || own[k - 1] != own[k]))
+        present_.push_back (static_cast<std::uint32_t> (own[k]));
+  }
+  first_present_.push_back (present_.size());
+}
+
+/** The planes of the tile and of the eight around it. */
+void
+PlaneAssignment::findCandidates (const PlaneSamples& samples,
+                                 const std::vector<std::int32_t>& owners,
+                                 const std::vector<Plane>& planes,
+                                 std::size_t tile)
+{
+  const std::size_t first = candidates_.size(), begin = tile * PlaneSamples::tile_size;
+  samples.forEachTileAround (tile, [&] (std::size_t other) {
+    for (std::size_t k = first_present_[other]; k < first_present_[other + 1]; ++k) {
+      const std::uint32_t plane = present_[k];
+      const auto is_known = [plane] (const Candidate& candidate) {
+        return candidate.plane == plane;
+      };
+      if (std::any_of (candidates_.begin() + static_cast<std::ptrdiff_t> (first),
+                       candidates_.end(),
+                       is_known))
+        continue;
+      const std::uint16_t agree = compatibleSamples (
+          samples, begin, equationOf (planes[plane]), max_min_cosine);
+      // A crease may run between a sample and its pixels.
+      candidates_.push_back ({plane, dilate (agree)});
+    }
+  });
+  if (first == candidates_.size())
+    return;
+  const std::uint16_t curved = samplesWhere (&owners[begin], [] (std::int32_t owner) {
+    return owner == PlaneGrowth::curved_surface;
+  });
+  for (std::size_t k = first; k < candidates_.size(); ++k)
+    candidates_[k].compatible =
+        static_cast<std::uint16_t> (candidates_[k].compatible & ~curved);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
