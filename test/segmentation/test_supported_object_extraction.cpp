@@ -35,6 +35,19 @@ onTable (float x, float y, const Vector3f& size, float yaw = 0.f)
   return {{x, y, table_height}, size, yaw};
 }
 
+/** Box 2 is the wall, box 6 a mug on the table. A part of the wall, that a frame in front cuts
+ * out, is as high as an object. */
+View
+wallBehindATable ()
+{
+  const Box wall{{1.66f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box left = onTable (1.5f, 0.25f, {0.05f, 0.1f, 0.25f});
+  const Box right = onTable (1.5f, -0.25f, {0.05f, 0.1f, 0.25f});
+  const Box beam{{1.5f, 0.f, table_height + 0.25f}, {0.05f, 0.6f, 0.3f}};
+  const Box mug = onTable (1.1f, 0.1f, {0.08f, 0.08f, 0.1f});
+  return look ({floor_slab, table, wall, left, right, beam, mug});
+}
+
 Objects
 extract (Extraction& extraction, const View& view)
 {
@@ -116,13 +129,7 @@ TEST (SupportedObjectExtraction, TableWithoutObjects)
 
 TEST (SupportedObjectExtraction, WallBehindATableIsNoObject)
 {
-  // A part of it, that a frame in front cuts out, is as high as an object.
-  const Box wall{{1.66f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
-  const Box left = onTable (1.5f, 0.25f, {0.05f, 0.1f, 0.25f});
-  const Box right = onTable (1.5f, -0.25f, {0.05f, 0.1f, 0.25f});
-  const Box beam{{1.5f, 0.f, table_height + 0.25f}, {0.05f, 0.6f, 0.3f}};
-  const Box mug = onTable (1.1f, 0.1f, {0.08f, 0.08f, 0.1f});
-  const View view = look ({floor_slab, table, wall, left, right, beam, mug});
+  const View view = wallBehindATable();
   const Objects objects = extract (view);
   EXPECT_GT (bestIou (objects, view, 6), 0.9);
   const auto of_wall = view.pixelsOf (2);
@@ -591,13 +598,8 @@ TEST (SupportedObjectExtraction, NoAllocationsForFramesLikeThoseBefore)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "allocations are not counted together with the address sanitizer";
 #endif
-  const Box wall{{1.66f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
-  const Box left = onTable (1.5f, 0.25f, {0.05f, 0.1f, 0.25f});
-  const Box right = onTable (1.5f, -0.25f, {0.05f, 0.1f, 0.25f});
-  const Box beam{{1.5f, 0.f, table_height + 0.25f}, {0.05f, 0.6f, 0.3f}};
-  const Box mug = onTable (1.1f, 0.1f, {0.08f, 0.08f, 0.1f});
   // With a strip of the wall, which becomes a cluster, but no object.
-  const View view = look ({floor_slab, table, wall, left, right, beam, mug});
+  const View view = wallBehindATable();
   for (const bool split : {false, true}) {
     Extraction extraction;
     extraction.setSplitAtConcaveEdges (split);

@@ -70,13 +70,16 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
-  output = *input_;
   if (for_indices) {
     // PCL's copyPointCloud takes as many indices as there are points for all points.
+    output.header = input_->header;
+    output.is_dense = input_->is_dense;
     output.resize (static_cast<std::uint32_t> (indices_->size()), 1);
     for (std::size_t i = 0; i < indices_->size(); ++i)
       output[i] = (*input_)[static_cast<std::size_t> ((*indices_)[i])];
   }
+  else
+    output = *input_;
   output.header.frame_id = base_frame_;
   output.sensor_origin_ = transform_.translation().homogeneous();
   output.sensor_orientation_ = Eigen::Quaternionf (transform_.linear());

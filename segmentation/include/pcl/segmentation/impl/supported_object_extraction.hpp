@@ -5,6 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/set_parameter.h>
 #include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
@@ -71,15 +72,10 @@ template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::setHorizontalTolerance (double tolerance)
 {
-  if (static_cast<float> (tolerance) <= static_cast<float> (M_PI / 2.))
-    return setLength (
-        "setHorizontalTolerance", true, tolerance, parameters_.horizontal_tolerance);
-  PCL_ERROR ("[pcl::%s::setHorizontalTolerance] The tolerance must be 0 to pi / 2 "
-             "radians, got "
-             "%g. Keeping %g.\n",
-             getClassName().c_str(),
-             tolerance,
-             getHorizontalTolerance());
+  rgbd_planes::setParameter (getClassName() + "::setHorizontalTolerance",
+                             tolerance,
+                             parameters_.horizontal_tolerance,
+                             M_PI / 2.);
 }
 
 template <typename PointT, typename PointNT>
