@@ -128,6 +128,7 @@ const Addition all_additions[] = {{"edges", &Additions::edges},
                                   {"curved", &PlaneAdditions::curved},
                                   {"repeat", &PlaneAdditions::repeat},
                                   {"joining", &PlaneAdditions::joining},
+                                  {"steps", &PlaneAdditions::steps},
                                   {"patches", &PlaneAdditions::patches},
                                   {"assignment", &PlaneAdditions::assignment}};
 

@@ -23,6 +23,8 @@ constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 1.15f;
+/** Both sides of a step in a plane have this share of min_inliers. */
+constexpr double min_step_share = 0.4;
 /** The mean square of the errors of points on a curved or an uneven surface, in standard
  * deviations, is larger. */
 constexpr double min_error_if_curved = 0.5, min_error_if_uneven = 0.8;
@@ -180,6 +182,14 @@ PlaneExtraction::joinParts()
   for (std::int32_t& owner : owners_)
     if (owner >= 0)
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+  const double min_side =
+      min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
+  if (parameters_.additions.steps)
+    steps_.compute (samples_,
+                    joining_.planes(),
+                    static_cast<std::size_t> (std::ceil (min_side)),
+                    owners_,
+                    planes_);
   if (parameters_.additions.patches)
     patches_.find (samples_, owners_, planes_, parameters_.noise, max_sigmas_);
 }

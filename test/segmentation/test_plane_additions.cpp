@@ -210,6 +210,31 @@ TEST (PlaneAdditions, JoiningUnitesAWallBehindAColumn)
   EXPECT_EQ (extract (wall, additions).planes().size(), 2u);
 }
 
+TEST (PlaneAdditions, StepsPartTheEdgeOfATableFromItsLegs)
+{
+  // Both legs lie 12 mm behind the edge.
+  const auto isLeg = [] (int u, int v) {
+    return v >= 232 && v < 352 && ((u >= 80 && u < 108) || (u >= 500 && u < 528));
+  };
+  const std::vector<Surface> table{
+      {{0.f, 0.f, -1.f},
+       1.2f,
+       [] (int u, int v) { return u >= 60 && u < 540 && v >= 200 && v < 232; }},
+      {{0.f, 0.f, -1.f}, 1.212f, isLeg}};
+  const Scene scene =
+      render (table, 640, 480, [] (float z) { return 0.5f * kinectSigma (z); });
+  const auto normals = trueNormals (scene, table);
+  PlaneAdditions additions;
+  const PlaneExtraction parted = extract (*scene.cloud, *normals, additions);
+  ASSERT_EQ (parted.planes().size(), 2u);
+  EXPECT_NEAR (parted.planes()[0].d, 1.2f, 0.003f);
+  EXPECT_NEAR (parted.planes()[1].d, 1.212f, 0.003f);
+  EXPECT_EQ (parted.labels()[300 * 640 + 90], 1u);
+  EXPECT_EQ (parted.labels()[300 * 640 + 510], 1u);
+  additions.steps = false;
+  EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 1u);
+}
+
 TEST (PlaneAdditions, AssignmentIsExactToThePixel)
 {
   const std::vector<Surface> steps{strip (1.f, 0, 322), strip (1.5f, 322, 640)};

@@ -30,6 +30,8 @@ struct PlaneAdditions {
   bool repeat = true;
   /** Candidates on the same plane are joined. */
   bool joining = true;
+  /** Planes are parted along steps, where the errors of their points jump. */
+  bool steps = true;
   /** Planes beside which a surface goes on, and turns, are dropped, and those to which
    * most normals of their points do not belong. */
   bool patches = true;

@@ -17,6 +17,7 @@
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 #include <pcl/segmentation/sample_components.h>
+#include <pcl/segmentation/step_split.h>
 
 #include <Eigen/Core>
 
@@ -160,6 +161,7 @@ private:
   SampleComponents components_;
   PlaneGrowth growth_;
   PlaneJoining joining_;
+  StepSplit steps_;
   CurvedPatches patches_;
   PlaneAssignment assignment_;
   std::vector<std::int32_t> owners_;

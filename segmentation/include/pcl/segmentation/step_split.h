@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/step_finder.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Parts planes at steps, such as the edge of a table top from the legs a few
+ * millimetres behind it.
+ *
+ * A tilted plane between them lies within noise of both, as one plane lies within noise
+ * of a warped wall.
+ */
+class PCL_RGBD_PLANES_EXPORTS StepSplit {
+public:
+  /** \brief Takes the smaller side of a step from its plane. It goes to the other plane
+   * that it lies on, or becomes a new one, last in the list.
+   * \param[in] moments of the samples of each plane
+   * \param[in] min_side the least number of samples on either side
+   * \param[in,out] owners the plane of each sample, less than 0 for none
+   */
+  void
+  compute (const PlaneSamples& samples,
+           const std::vector<PlaneMoments>& moments,
+           std::size_t min_side,
+           std::vector<std::int32_t>& owners,
+           std::vector<Plane>& planes);
+
+private:
+  void
+  collect (const PlaneSamples& samples,
+           const std::vector<std::int32_t>& owners,
+           std::int32_t plane,
+           const Eigen::Vector3d& m);
+
+  StepFinder finder_;
+  std::vector<SampleError> errors_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/step_finder.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Samples on either side of a line whose mean errors are compared, and how many of them
+ * there must be. */
+constexpr int depth = 4;
+constexpr float min_in_depth = 3.f;
+/** Errors jump by so much at an edge, and by so much in the mean of so many places or more
+ * along a step, in standard deviations. */
+constexpr float min_edge = 1.f, min_jump = 1.4f;
+constexpr int min_places = 4;
+/** The shift of the surface behind a step, in standard deviations, and what it leaves of
+ * the root mean square of the errors. */
+constexpr double min_height = 1.6, max_left = 0.95;
+
+} // namespace
+
+void
+StepFinder::resize (int width, int height)
+{
+  const int stride = width + 2 * margin;
+  const auto size = static_cast<std::size_t> (stride * (height + 2 * margin));
+  if (stride == stride_ && size == errors_.size())
+    return;
+  stride_ = stride;
+  for (auto* values : {&errors_, &own_, &jumps_})
+    values->assign (size, 0.f);
+}
+
+bool
+StepFinder::find (const std::vector<SampleError>& samples,
+                  std::size_t min_side,
+                  GridLine& step)
+{
+  layOut (samples);
+  lines_.clear();
+  for (const bool is_steep : {false, true}) {
+    findEdges (samples, is_steep);
+    findLines (is_steep);
+    for (const SampleError& sample : samples)
+      jumps_[place (sample.u, sample.v)] = 0.f;
+  }
+  for (const SampleError& sample : samples)
+    errors_[place (sample.u, sample.v)] = own_[place (sample.u, sample.v)] = 0.f;
+  if (lines_.empty())
+    return false;
+  fitSurface (samples);
+  double most = 0.;
+  for (const GridLine& line : lines_) {
+    const double gain = gainOf (samples, line, min_side);
+    if (gain > most) {
+      most = gain;
+      step = line;
+    }
+  }
+  return most > (1. - max_left * max_left) * squares_;
+}
+
+void
+StepFinder::layOut (const std::vector<SampleError>& samples)
+{
+  for (const int k : {0, 1}) {
+    first_[k] = std::numeric_limits<int>::max();
+    last_[k] = -1;
+  }
+  for (const SampleError& sample : samples) {
+    const int at[] = {sample.u, sample.v};
+    for (const int k : {0, 1}) {
+      first_[k] = std::min (first_[k], at[k]);
+      last_[k] = std::max (last_[k], at[k]);
+    }
+    errors_[place (sample.u, sample.v)] = sample.error;
+    own_[place (sample.u, sample.v)] = 1.f;
+  }
+}
+
+void
+StepFinder::findEdges (const std::vector<SampleError>& samples, bool is_steep)
+{
+  const std::size_t across = is_steep ? 1 : static_cast<std::size_t> (stride_);
+  for (const SampleError& sample : samples) {
+    const std::size_t at = place (sample.u, sample.v);
+    float before = 0.f, behind = 0.f, number_before = 0.f, number_behind = 0.f;
+    for (std::size_t k = 0; k < depth; ++k) {
+      before += errors_[at - k * across];
+      number_before += own_[at - k * across];
+      behind += errors_[at + (k + 1) * across];
+      number_behind += own_[at + (k + 1) * across];
+    }
+    if (number_before >= min_in_depth && number_behind >= min_in_depth)
+      jumps_[at] = before / number_before - behind / number_behind;
+  }
+  edges_.clear();
+  for (const SampleError& sample : samples) {
+    const std::size_t at = place (sample.u, sample.v);
+    const float jump = std::abs (jumps_[at]);
+    if (jump >= min_edge && jump >= std::abs (jumps_[at - across]) &&
+        jump > std::abs (jumps_[at + across]))
+      edges_.push_back (
+          {is_steep ? sample.v : sample.u, is_steep ? sample.u : sample.v, jumps_[at]});
+  }
+}
+
+/** Adds the lines with enough edges along which errors jump. */
+void
+StepFinder::findLines (bool is_steep)
+{
+  if (edges_.size() < static_cast<std::size_t> (min_places))
+    return;
+  const auto ends = std::minmax_element (
+      edges_.begin(), edges_.end(), [] (const Edge& a, const Edge& b) {
+        return a.along < b.along;
+      });
+  const int first = ends.first->along, last = ends.second->along;
+  const float middle = 0.5f * static_cast<float> (first + last);
+  const int across = is_steep ? 0 : 1;
+  const int first_bin = first_[across] - (last - first);
+  votes_.resize (
+      static_cast<std::size_t> (last_[across] - first_bin + last - first + 2));
+  const int slopes = (last - first) / 2 + 1;
+  for (int k = -slopes; k <= slopes; ++k) {
+    const float slope = static_cast<float> (k) / static_cast<float> (slopes);
+    vote (slope, middle, first_bin);
+    for (std::size_t bin = 0; bin < votes_.size(); ++bin) {
+      if (std::abs (votes_[bin]) < static_cast<float> (min_places) * min_edge)
+        continue;
+      const auto at_middle = static_cast<float> (static_cast<int> (bin) + first_bin);
+      const GridLine line{is_steep, slope, at_middle - slope * middle};
+      if (jumpsAlong (line))
+        lines_.push_back (line);
+    }
+  }
+}
+
+/** Sums the jumps at edges over lines of a slope, by where these are in the middle. */
+void
+StepFinder::vote (float slope, float middle, int first_bin)
+{
+  std::fill (votes_.begin(), votes_.end(), 0.f);
+  for (const Edge& edge : edges_) {
+    const float at_middle = static_cast<float> (edge.across) -
+                            slope * (static_cast<float> (edge.along) - middle);
+    const int bin = static_cast<int> (std::ceil (at_middle)) - first_bin;
+    votes_[static_cast<std::size_t> (bin)] += edge.jump;
+  }
+}
+
+bool
+StepFinder::jumpsAlong (const GridLine& line) const
+{
+  const int k = line.is_steep ? 1 : 0;
+  float sum = 0.f;
+  int places = 0;
+  for (int along = first_[k]; along <= last_[k]; ++along) {
+    const auto across = static_cast<int> (
+        std::floor (line.slope * static_cast<float> (along) + line.offset));
+    if (across < first_[1 - k] || across > last_[1 - k])
+      continue;
+    const float jump =
+        jumps_[line.is_steep ? place (across, along) : place (along, across)];
+    sum += jump;
+    places += jump != 0.f;
+  }
+  return places >= min_places &&
+         std::abs (sum) >= min_jump * static_cast<float> (places);
+}
+
+void
+StepFinder::fitSurface (const std::vector<SampleError>& samples)
+{
+  terms_.resize (samples.size());
+  left_.resize (samples.size());
+  const auto scaled = [this] (int value, int k) {
+    return static_cast<float> (2 * value - first_[k] - last_[k]) /
+           static_cast<float> (last_[k] - first_[k] + 1);
+  };
+  // Samples on a curve of second order determine no surface.
+  Eigen::Matrix<double, 6, 6> products = 1e-6 * Eigen::Matrix<double, 6, 6>::Identity();
+  Eigen::Matrix<double, 6, 1> sums = Eigen::Matrix<double, 6, 1>::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float u = scaled (samples[i].u, 0), v = scaled (samples[i].v, 1);
+    terms_[i] << 1.f, u, v, u * u, u * v, v * v;
+    const Eigen::Matrix<double, 6, 1> terms = terms_[i].cast<double>();
+    products += terms * terms.transpose();
+    sums += samples[i].error * terms;
+  }
+  inverse_ = products.inverse();
+  const Terms surface = (inverse_ * sums).cast<float>();
+  squares_ = 0.;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    left_[i] = samples[i].error - surface.dot (terms_[i]);
+    squares_ += left_[i] * left_[i];
+  }
+}
+
+/** By how much the sum of the squares of the errors falls when the surface behind the
+ * line is shifted, and all of it fitted anew; 0 where it is shifted by too little. */
+double
+StepFinder::gainOf (const std::vector<SampleError>& samples,
+                    const GridLine& line,
+                    std::size_t min_side) const
+{
+  Terms terms = Terms::Zero();
+  float left = 0.f;
+  std::size_t behind = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (line.isBehind (samples[i].u, samples[i].v)) {
+      terms += terms_[i];
+      left += left_[i];
+      ++behind;
+    }
+  if (behind < min_side || samples.size() - behind < min_side)
+    return 0.;
+  const Eigen::Matrix<double, 6, 1> t = terms.cast<double>();
+  const double free = static_cast<double> (behind) - t.dot (inverse_ * t);
+  const double height = left / free;
+  return free >= 1. && std::abs (height) >= min_height ? left * height : 0.;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

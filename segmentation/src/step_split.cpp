@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/step_split.h>
+
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Planes with steps have larger errors, in standard deviations, and fewer of the samples
+ * of the image: the large errors of large planes are those of the sensor. */
+constexpr double min_error = 0.8, max_share = 0.08;
+/** The error of what lies on a plane, in standard deviations. */
+constexpr double max_error = 1.5;
+
+double
+meanSquare (const PlaneMoments& points, const Eigen::Vector3d& m)
+{
+  return points.squaredErrors (m) / static_cast<double> (points.points);
+}
+
+/** The other plane that fits best to the points of a side; -1 for none. */
+std::int32_t
+planeUnder (const PlaneMoments& side,
+            const std::vector<Plane>& planes,
+            std::size_t number,
+            std::size_t own)
+{
+  std::int32_t best = -1;
+  double least = max_error * max_error;
+  for (std::size_t k = 0; k < number; ++k) {
+    const Eigen::Vector3d m = -planes[k].normal.cast<double>() / planes[k].d;
+    const double error = meanSquare (side, m);
+    if (k != own && error < least) {
+      least = error;
+      best = static_cast<std::int32_t> (k);
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+void
+StepSplit::compute (const PlaneSamples& samples,
+                    const std::vector<PlaneMoments>& moments,
+                    std::size_t min_side,
+                    std::vector<std::int32_t>& owners,
+                    std::vector<Plane>& planes)
+{
+  finder_.resize (samples.width, samples.height);
+  const double max_points = max_share * samples.width * samples.height;
+  for (std::size_t k = 0; k < moments.size(); ++k) {
+    const Eigen::Vector3d m = moments[k].inverseDistance();
+    if (static_cast<double> (moments[k].points) > max_points ||
+        !(meanSquare (moments[k], m) >= min_error * min_error))
+      continue;
+    collect (samples, owners, static_cast<std::int32_t> (k), m);
+    GridLine step;
+    if (!finder_.find (errors_, min_side, step))
+      continue;
+    PlaneMoments sides[2];
+    for (const SampleError& e : errors_) {
+      const float p[] = {samples.x[e.sample], samples.y[e.sample], samples.z[e.sample]};
+      sides[step.isBehind (e.u, e.v)].add (p, samples.weight[e.sample]);
+    }
+    const std::size_t smaller = sides[1].points < sides[0].points;
+    const Eigen::Vector3d rest = sides[1 - smaller].inverseDistance();
+    const Eigen::Vector3d taken = sides[smaller].inverseDistance();
+    if (!rest.allFinite() || !taken.allFinite())
+      continue;
+    std::int32_t owner = planeUnder (sides[smaller], planes, moments.size(), k);
+    if (owner < 0) {
+      owner = static_cast<std::int32_t> (planes.size());
+      planes.push_back (planeOf (taken));
+    }
+    planes[k] = planeOf (rest);
+    for (const SampleError& e : errors_)
+      if (step.isBehind (e.u, e.v) == (smaller == 1))
+        owners[e.sample] = owner;
+  }
+}
+
+/** Lists the samples of a plane, and how far they are off m * p = 1. */
+void
+StepSplit::collect (const PlaneSamples& samples,
+                    const std::vector<std::int32_t>& owners,
+                    std::int32_t plane,
+                    const Eigen::Vector3d& m)
+{
+  constexpr auto side = static_cast<std::uint32_t> (PlaneSamples::tile_side);
+  const auto tiles_u = static_cast<std::uint32_t> (samples.tiles_u);
+  const Eigen::Vector3f plane_m = m.cast<float>();
+  errors_.clear();
+  for (std::uint32_t i = 0; i < owners.size(); ++i) {
+    if (owners[i] != plane)
+      continue;
+    const std::uint32_t tile = i / (side * side), in_tile = i % (side * side);
+    const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
+    errors_.push_back ({static_cast<int> (tile % tiles_u * side + in_tile % side),
+                        static_cast<int> (tile / tiles_u * side + in_tile / side),
+                        (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]),
+                        i});
+  }
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

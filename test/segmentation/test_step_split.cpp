@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_clouds.h"
+
+#include <pcl/segmentation/step_split.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+using namespace plane_clouds;
+using pcl::rgbd_planes::DepthNoise;
+using pcl::rgbd_planes::Plane;
+using pcl::rgbd_planes::PlaneMoments;
+using pcl::rgbd_planes::planeOf;
+using pcl::rgbd_planes::PlaneSamples;
+using pcl::rgbd_planes::StepSplit;
+
+namespace {
+
+/** Far beyond what noise does, and near enough for one plane. */
+constexpr float near_depth = 1.f, far_depth = 1.011f;
+
+/** The rectangle of a wall that faces the camera. */
+Surface
+board (float depth, int u0, int u1)
+{
+  return {{0.f, 0.f, -1.f}, depth, [=] (int u, int v) {
+            return u >= u0 && u < u1 && v >= 100 && v < 240;
+          }};
+}
+
+/** Planes as StepSplit takes them. */
+class StepSplitTest : public testing::Test {
+protected:
+  /** Samples in columns of pixels before \a end belong to plane 0, others to plane 1. */
+  void
+  look (const std::vector<Surface>& surfaces, int end)
+  {
+    const Scene scene =
+        render (surfaces, 640, 480, [] (float z) { return 0.5f * kinectSigma (z); });
+    const auto normals = trueNormals (scene, surfaces);
+    samples_.compute (pcl::rgbd_planes::viewPoints (*scene.cloud),
+                      {&(*normals)[0].normal_x,
+                       &(*normals)[0].curvature,
+                       sizeof (pcl::Normal) / sizeof (float)},
+                      {},
+                      DepthNoise{},
+                      0.08f);
+    owners_.assign (samples_.size(), -1);
+    moments_.clear();
+    for (int v = 0; v < samples_.height; ++v)
+      for (int u = 0; u < samples_.width; ++u) {
+        const std::size_t i = samples_.at (u, v);
+        if (!samples_.isFree (i))
+          continue;
+        const std::size_t plane = u * samples_.step < end ? 0 : 1;
+        moments_.resize (std::max (moments_.size(), plane + 1));
+        const float p[] = {samples_.x[i], samples_.y[i], samples_.z[i]};
+        moments_[plane].add (p, samples_.weight[i]);
+        owners_[i] = static_cast<std::int32_t> (plane);
+      }
+    planes_.clear();
+    for (const PlaneMoments& moments : moments_)
+      planes_.push_back (planeOf (moments.inverseDistance()));
+    split_.compute (samples_, moments_, 25, owners_, planes_);
+  }
+
+  /** The owner of the sample in the middle of column \a u of pixels. */
+  std::int32_t
+  ownerIn (int u) const
+  {
+    return owners_[samples_.at (u / samples_.step, 180 / samples_.step)];
+  }
+
+  PlaneSamples samples_;
+  std::vector<PlaneMoments> moments_;
+  std::vector<std::int32_t> owners_;
+  std::vector<Plane> planes_;
+  StepSplit split_;
+};
+
+} // namespace
+
+TEST_F (StepSplitTest, TheSmallerSideOfAStepBecomesAPlane)
+{
+  look ({board (near_depth, 0, 100), board (far_depth, 100, 160)}, 640);
+  ASSERT_EQ (planes_.size(), 2u);
+  EXPECT_EQ (ownerIn (50), 0);
+  EXPECT_EQ (ownerIn (130), 1);
+  EXPECT_NEAR (planes_[0].d, near_depth, 0.003f);
+  EXPECT_NEAR (planes_[1].d, far_depth, 0.003f);
+}
+
+TEST_F (StepSplitTest, ASideThatLiesOnAnotherPlaneGoesThere)
+{
+  look ({board (near_depth, 0, 100), board (far_depth, 100, 600)}, 160);
+  ASSERT_EQ (planes_.size(), 2u);
+  EXPECT_EQ (ownerIn (50), 0);
+  EXPECT_EQ (ownerIn (130), 1);
+  EXPECT_EQ (ownerIn (400), 1);
+  EXPECT_NEAR (planes_[0].d, near_depth, 0.003f);
+}
+
+TEST_F (StepSplitTest, APlaneWithoutAStepStays)
+{
+  look ({board (near_depth, 0, 160)}, 640);
+  EXPECT_EQ (planes_.size(), 1u);
+  EXPECT_EQ (std::count (owners_.begin(), owners_.end(), 1), 0);
+}
+
+TEST_F (StepSplitTest, LargePlanesStay)
+{
+  look ({board (near_depth, 0, 400), board (far_depth, 400, 640)}, 640);
+  EXPECT_EQ (planes_.size(), 1u);
+}
