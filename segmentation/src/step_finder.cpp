@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -128,33 +129,28 @@ StepFinder::findLines (bool is_steep)
   const float middle = 0.5f * static_cast<float> (first + last);
   const int across = is_steep ? 0 : 1;
   const int first_bin = first_[across] - (last - first);
-  votes_.resize (
-      static_cast<std::size_t> (last_[across] - first_bin + last - first + 2));
+  votes_.assign (
+      static_cast<std::size_t> (last_[across] - first_bin + last - first + 2), 0.f);
   const int slopes = (last - first) / 2 + 1;
   for (int k = -slopes; k <= slopes; ++k) {
     const float slope = static_cast<float> (k) / static_cast<float> (slopes);
-    vote (slope, middle, first_bin);
-    for (std::size_t bin = 0; bin < votes_.size(); ++bin) {
-      if (std::abs (votes_[bin]) < static_cast<float> (min_places) * min_edge)
-        continue;
-      const auto at_middle = static_cast<float> (static_cast<int> (bin) + first_bin);
-      const GridLine line{is_steep, slope, at_middle - slope * middle};
-      if (jumpsAlong (line))
+    // Where a line through an edge is in the middle.
+    const auto binOf = [&] (const Edge& edge) {
+      const float at_middle = static_cast<float> (edge.across) -
+                              slope * (static_cast<float> (edge.along) - middle);
+      return static_cast<int> (std::ceil (at_middle)) - first_bin;
+    };
+    for (const Edge& edge : edges_)
+      votes_[static_cast<std::size_t> (binOf (edge))] += edge.jump;
+    for (const Edge& edge : edges_) {
+      const int bin = binOf (edge);
+      const float votes = std::exchange (votes_[static_cast<std::size_t> (bin)], 0.f);
+      const GridLine line{
+          is_steep, slope, static_cast<float> (bin + first_bin) - slope * middle};
+      if (std::abs (votes) >= static_cast<float> (min_places) * min_edge &&
+          jumpsAlong (line))
         lines_.push_back (line);
     }
-  }
-}
-
-/** Sums the jumps at edges over lines of a slope, by where these are in the middle. */
-void
-StepFinder::vote (float slope, float middle, int first_bin)
-{
-  std::fill (votes_.begin(), votes_.end(), 0.f);
-  for (const Edge& edge : edges_) {
-    const float at_middle = static_cast<float> (edge.across) -
-                            slope * (static_cast<float> (edge.along) - middle);
-    const int bin = static_cast<int> (std::ceil (at_middle)) - first_bin;
-    votes_[static_cast<std::size_t> (bin)] += edge.jump;
   }
 }
 

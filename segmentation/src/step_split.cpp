@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "tile_bits.h"
+
 #include <pcl/segmentation/step_split.h>
 
 #include <cmath>
@@ -91,19 +93,27 @@ StepSplit::collect (const PlaneSamples& samples,
                     std::int32_t plane,
                     const Eigen::Vector3d& m)
 {
-  constexpr auto side = static_cast<std::uint32_t> (PlaneSamples::tile_side);
-  const auto tiles_u = static_cast<std::uint32_t> (samples.tiles_u);
   const Eigen::Vector3f plane_m = m.cast<float>();
   errors_.clear();
-  for (std::uint32_t i = 0; i < owners.size(); ++i) {
-    if (owners[i] != plane)
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    const std::size_t begin = tile * PlaneSamples::tile_size;
+    const unsigned own =
+        samplesWhere (&owners[begin], [=] (std::int32_t o) { return o == plane; });
+    if (own == 0)
       continue;
-    const std::uint32_t tile = i / (side * side), in_tile = i % (side * side);
-    const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
-    errors_.push_back ({static_cast<int> (tile % tiles_u * side + in_tile % side),
-                        static_cast<int> (tile / tiles_u * side + in_tile / side),
-                        (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]),
-                        i});
+    const int left =
+        static_cast<int> (tile) % samples.tiles_u * PlaneSamples::tile_side;
+    const int top = static_cast<int> (tile) / samples.tiles_u * PlaneSamples::tile_side;
+    for (int k = 0; k < static_cast<int> (PlaneSamples::tile_size); ++k) {
+      if (!(own >> k & 1u))
+        continue;
+      const std::size_t i = begin + static_cast<std::size_t> (k);
+      const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
+      errors_.push_back ({left + k % PlaneSamples::tile_side,
+                          top + k / PlaneSamples::tile_side,
+                          (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]),
+                          static_cast<std::uint32_t> (i)});
+    }
   }
 }
 

@@ -78,9 +78,6 @@ private:
   void
   findLines (bool is_steep);
 
-  void
-  vote (float slope, float middle, int first_bin);
-
   bool
   jumpsAlong (const GridLine& line) const;
 
