@@ -188,6 +188,7 @@ PlaneExtraction::joinParts()
     steps_.compute (samples_,
                     joining_.planes(),
                     static_cast<std::size_t> (std::ceil (min_side)),
+                    max_sigmas_,
                     owners_,
                     planes_);
   if (parameters_.additions.patches)

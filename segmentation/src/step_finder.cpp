@@ -20,11 +20,11 @@ namespace {
 constexpr int depth = 4;
 constexpr float min_in_depth = 3.f;
 /** Errors jump by so much at an edge, and by so much in the mean of so many places or more
- * along a step, in standard deviations. */
+ * along a step. */
 constexpr float min_edge = 1.f, min_jump = 1.4f;
 constexpr int min_places = 4;
-/** The shift of the surface behind a step, in standard deviations, and what it leaves of
- * the root mean square of the errors. */
+/** The shift of the surface behind a step, and what it leaves of the root mean square of
+ * the errors. */
 constexpr double min_height = 1.6, max_left = 0.95;
 
 } // namespace
@@ -134,11 +134,12 @@ StepFinder::findLines (bool is_steep)
   const int slopes = (last - first) / 2 + 1;
   for (int k = -slopes; k <= slopes; ++k) {
     const float slope = static_cast<float> (k) / static_cast<float> (slopes);
-    // Where a line through an edge is in the middle.
+    // Where a line through an edge is in the middle, rounded up.
     const auto binOf = [&] (const Edge& edge) {
-      const float at_middle = static_cast<float> (edge.across) -
+      const float at_middle = static_cast<float> (edge.across - first_bin) -
                               slope * (static_cast<float> (edge.along) - middle);
-      return static_cast<int> (std::ceil (at_middle)) - first_bin;
+      const auto whole = static_cast<int> (at_middle);
+      return whole + (at_middle > static_cast<float> (whole) ? 1 : 0);
     };
     for (const Edge& edge : edges_)
       votes_[static_cast<std::size_t> (binOf (edge))] += edge.jump;
@@ -158,13 +159,15 @@ bool
 StepFinder::jumpsAlong (const GridLine& line) const
 {
   const int k = line.is_steep ? 1 : 0;
+  const auto first = static_cast<float> (first_[1 - k]),
+             end = static_cast<float> (last_[1 - k] + 1);
   float sum = 0.f;
   int places = 0;
   for (int along = first_[k]; along <= last_[k]; ++along) {
-    const auto across = static_cast<int> (
-        std::floor (line.slope * static_cast<float> (along) + line.offset));
-    if (across < first_[1 - k] || across > last_[1 - k])
+    const float at = line.slope * static_cast<float> (along) + line.offset;
+    if (!(at >= first && at < end))
       continue;
+    const auto across = static_cast<int> (at);
     const float jump =
         jumps_[line.is_steep ? place (across, along) : place (along, across)];
     sum += jump;

@@ -12,10 +12,13 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Planes with steps have larger errors, in standard deviations, and fewer of the samples
- * of the image: the large errors of large planes are those of the sensor. */
+/** Errors are in thirds of the distance that points may have, which are standard deviations
+ * of depth unless these are said to be smaller than those of single points. */
+constexpr float reach = 3.f;
+/** Planes with steps have larger errors, and fewer of the samples of the image: the large
+ * errors of large planes are those of the sensor. */
 constexpr double min_error = 0.8, max_share = 0.08;
-/** The error of what lies on a plane, in standard deviations. */
+/** The error of what lies on a plane. */
 constexpr double max_error = 1.5;
 
 double
@@ -29,13 +32,14 @@ std::int32_t
 planeUnder (const PlaneMoments& side,
             const std::vector<Plane>& planes,
             std::size_t number,
-            std::size_t own)
+            std::size_t own,
+            double unit)
 {
   std::int32_t best = -1;
   double least = max_error * max_error;
   for (std::size_t k = 0; k < number; ++k) {
     const Eigen::Vector3d m = -planes[k].normal.cast<double>() / planes[k].d;
-    const double error = meanSquare (side, m);
+    const double error = meanSquare (side, m) / (unit * unit);
     if (k != own && error < least) {
       least = error;
       best = static_cast<std::int32_t> (k);
@@ -50,17 +54,19 @@ void
 StepSplit::compute (const PlaneSamples& samples,
                     const std::vector<PlaneMoments>& moments,
                     std::size_t min_side,
+                    float max_sigmas,
                     std::vector<std::int32_t>& owners,
                     std::vector<Plane>& planes)
 {
   finder_.resize (samples.width, samples.height);
+  const float unit = max_sigmas / reach;
   const double max_points = max_share * samples.width * samples.height;
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const Eigen::Vector3d m = moments[k].inverseDistance();
     if (static_cast<double> (moments[k].points) > max_points ||
-        !(meanSquare (moments[k], m) >= min_error * min_error))
+        !(meanSquare (moments[k], m) >= min_error * min_error * unit * unit))
       continue;
-    collect (samples, owners, static_cast<std::int32_t> (k), m);
+    collect (samples, owners, static_cast<std::int32_t> (k), m, unit);
     GridLine step;
     if (!finder_.find (errors_, min_side, step))
       continue;
@@ -74,7 +80,7 @@ StepSplit::compute (const PlaneSamples& samples,
     const Eigen::Vector3d taken = sides[smaller].inverseDistance();
     if (!rest.allFinite() || !taken.allFinite())
       continue;
-    std::int32_t owner = planeUnder (sides[smaller], planes, moments.size(), k);
+    std::int32_t owner = planeUnder (sides[smaller], planes, moments.size(), k, unit);
     if (owner < 0) {
       owner = static_cast<std::int32_t> (planes.size());
       planes.push_back (planeOf (taken));
@@ -91,7 +97,8 @@ void
 StepSplit::collect (const PlaneSamples& samples,
                     const std::vector<std::int32_t>& owners,
                     std::int32_t plane,
-                    const Eigen::Vector3d& m)
+                    const Eigen::Vector3d& m,
+                    float unit)
 {
   const Eigen::Vector3f plane_m = m.cast<float>();
   errors_.clear();
@@ -109,10 +116,11 @@ StepSplit::collect (const PlaneSamples& samples,
         continue;
       const std::size_t i = begin + static_cast<std::size_t> (k);
       const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
-      errors_.push_back ({left + k % PlaneSamples::tile_side,
-                          top + k / PlaneSamples::tile_side,
-                          (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]),
-                          static_cast<std::uint32_t> (i)});
+      errors_.push_back (
+          {left + k % PlaneSamples::tile_side,
+           top + k / PlaneSamples::tile_side,
+           (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]) / unit,
+           static_cast<std::uint32_t> (i)});
     }
   }
 }

@@ -37,7 +37,7 @@ class StepSplitTest : public testing::Test {
 protected:
   /** Samples in columns of pixels before \a end belong to plane 0, others to plane 1. */
   void
-  look (const std::vector<Surface>& surfaces, int end)
+  look (const std::vector<Surface>& surfaces, int end, float max_sigmas = 3.f)
   {
     const Scene scene =
         render (surfaces, 640, 480, [] (float z) { return 0.5f * kinectSigma (z); });
@@ -65,7 +65,7 @@ protected:
     planes_.clear();
     for (const PlaneMoments& moments : moments_)
       planes_.push_back (planeOf (moments.inverseDistance()));
-    split_.compute (samples_, moments_, 25, owners_, planes_);
+    split_.compute (samples_, moments_, 25, max_sigmas, owners_, planes_);
   }
 
   /** The owner of the sample in the middle of column \a u of pixels. */
@@ -114,5 +114,11 @@ TEST_F (StepSplitTest, APlaneWithoutAStepStays)
 TEST_F (StepSplitTest, LargePlanesStay)
 {
   look ({board (near_depth, 0, 400), board (far_depth, 400, 640)}, 640);
+  EXPECT_EQ (planes_.size(), 1u);
+}
+
+TEST_F (StepSplitTest, WithinALargerReachLowStepsAreNone)
+{
+  look ({board (near_depth, 0, 100), board (far_depth, 100, 160)}, 640, 6.f);
   EXPECT_EQ (planes_.size(), 1u);
 }

@@ -69,10 +69,10 @@ struct PlaneStageTimes {
  * space (Holz et al. 2011, section 4), then refined.
  *
  * Clusters are found on PlaneSamples. The refinement grows planes from their connected
- * parts, largest first (PlaneGrowth), and joins parts of the same plane (PlaneJoining);
- * what no plane took is clustered once more. Then each point of the image gets the
- * nearest one of the planes around it (PlaneAssignment), and planes are fitted to their
- * points.
+ * parts, largest first (PlaneGrowth); what no plane took is clustered once more. Parts of
+ * the same plane are joined (PlaneJoining), and planes are parted at steps (StepSplit).
+ * Then each point of the image gets the nearest one of the planes around it
+ * (PlaneAssignment), and planes are fitted to their points.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneExtraction {
 public:

@@ -15,7 +15,7 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief A sample of a plane: its column and row in the grid of samples, and how far it is
- * off the plane, in standard deviations of depth. */
+ * off the plane; about 1 for the noise of depth. */
 struct SampleError {
   int u, v;
   float error;

@@ -27,12 +27,14 @@ public:
    * that it lies on, or becomes a new one, last in the list.
    * \param[in] moments of the samples of each plane
    * \param[in] min_side the least number of samples on either side
+   * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
    * \param[in,out] owners the plane of each sample, less than 0 for none
    */
   void
   compute (const PlaneSamples& samples,
            const std::vector<PlaneMoments>& moments,
            std::size_t min_side,
+           float max_sigmas,
            std::vector<std::int32_t>& owners,
            std::vector<Plane>& planes);
 
@@ -41,7 +43,8 @@ private:
   collect (const PlaneSamples& samples,
            const std::vector<std::int32_t>& owners,
            std::int32_t plane,
-           const Eigen::Vector3d& m);
+           const Eigen::Vector3d& m,
+           float unit);
 
   StepFinder finder_;
   std::vector<SampleError> errors_;
