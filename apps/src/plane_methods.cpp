@@ -129,8 +129,10 @@ const Addition all_additions[] = {{"edges", &Additions::edges},
                                   {"repeat", &PlaneAdditions::repeat},
                                   {"joining", &PlaneAdditions::joining},
                                   {"steps", &PlaneAdditions::steps},
+                                  {"strips", &PlaneAdditions::strips},
                                   {"patches", &PlaneAdditions::patches},
-                                  {"assignment", &PlaneAdditions::assignment}};
+                                  {"assignment", &PlaneAdditions::assignment},
+                                  {"intersections", &PlaneAdditions::intersections}};
 
 Additions
 additionsWithout (const std::string& list)

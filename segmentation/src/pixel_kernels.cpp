@@ -17,24 +17,6 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE hn::Vec<Ints>
-setInts (std::uint32_t value)
-{
-  return hn::Set (Ints(), static_cast<std::int32_t> (value));
-}
-
-HWY_INLINE hn::Vec<Ints>
-loadInts (const std::uint32_t* from)
-{
-  return hn::BitCast (Ints(), hn::LoadU (hn::RebindToUnsigned<Floats>(), from));
-}
-
-HWY_INLINE Points
-load (const PointBlock& points, std::size_t i)
-{
-  return {load (points.x + i), load (points.y + i), load (points.z + i)};
-}
-
 /** The points, of which each gets one of the planes or none. */
 struct Nearest {
   Points points;

@@ -55,6 +55,8 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
   normals_.assign (planes.size(), {});
+  intersections_.clear();
+  sample_labels_.resize (samples.size());
   tile_labels_.resize (std::max (tile_labels_.size(), PlaneSamples::tile_size));
   std::int32_t own[PlaneSamples::tile_size];
   std::iota (own, std::end (own), 0);
@@ -62,17 +64,13 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
     const std::size_t begin = tile * PlaneSamples::tile_size;
     if (first_candidate_[tile] == first_candidate_[tile + 1])
       continue;
-    assignTile ({&samples.x[begin],
-                 &samples.y[begin],
-                 &samples.z[begin],
-                 PlaneSamples::tile_size},
-                own,
-                samples,
-                tile,
-                planes,
-                noise,
-                max_sigmas);
+    const PointBlock points{&samples.x[begin],
+                            &samples.y[begin],
+                            &samples.z[begin],
+                            PlaneSamples::tile_size};
+    assignTile (points, own, samples, tile, planes, noise, max_sigmas);
     compareNormals (samples, planes, tile);
+    std::copy_n (tile_labels_.begin(), PlaneSamples::tile_size, &sample_labels_[begin]);
   }
 }
 
@@ -93,6 +91,60 @@ PlaneAssignment::compareNormals (const PlaneSamples& samples,
     normals_[plane].known += count (own & at_plane.known);
     normals_[plane].near += count (own & at_plane.near);
   }
+}
+
+void
+PlaneAssignment::findIntersections (const PlaneSamples& samples,
+                                    const std::vector<Plane>& planes,
+                                    const DepthNoise& noise,
+                                    float max_sigmas)
+{
+  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
+    if (first_candidate_[tile + 1] < first_candidate_[tile] + 2)
+      continue;
+    const std::size_t begin = tile * PlaneSamples::tile_size;
+    const PointBlock points{&samples.x[begin],
+                            &samples.y[begin],
+                            &samples.z[begin],
+                            PlaneSamples::tile_size};
+    findTilePlanes (planes, tile);
+    for (const TilePlane& plane : tile_planes_)
+      for (const TilePlane& other : tile_planes_) {
+        if (plane.number == other.number)
+          continue;
+        const SideCounts counts = countSides (
+            points, &sample_labels_[begin], plane, other.equation, noise, max_sigmas);
+        if (counts.nearer + counts.farther > 0)
+          intersections_.add (plane.number, other.number, counts);
+      }
+  }
+  intersections_.find();
+}
+
+/** The planes that points of the tile may lie on. */
+void
+PlaneAssignment::findTilePlanes (const std::vector<Plane>& planes, std::size_t tile)
+{
+  tile_planes_.clear();
+  for (std::size_t k = first_candidate_[tile]; k < first_candidate_[tile + 1]; ++k) {
+    const Candidate& candidate = candidates_[k];
+    tile_planes_.push_back (
+        {candidate.plane, equationOf (planes[candidate.plane]), candidate.compatible});
+  }
+}
+
+/** Gives points on two planes that meet to the one on their side. */
+void
+PlaneAssignment::splitTile (const PointBlock& points,
+                            const DepthNoise& noise,
+                            float max_sigmas)
+{
+  for (auto a = tile_planes_.begin(); a != tile_planes_.end(); ++a)
+    for (auto b = a + 1; b != tile_planes_.end(); ++b) {
+      const SeenPlane seen = intersections_.between (a->number, b->number);
+      if (seen != SeenPlane::unknown)
+        splitPoints (points, *a, *b, noise, max_sigmas, seen, tile_labels_.data());
+    }
 }
 
 void
@@ -167,40 +219,34 @@ PlaneAssignment::assignTile (const PointBlock& points,
                              const DepthNoise& noise,
                              float max_sigmas)
 {
-  TilePlane candidates[max_candidates];
-  std::size_t number = 0;
-  for (std::size_t k = first_candidate_[tile]; k < first_candidate_[tile + 1]; ++k) {
-    const Candidate& candidate = candidates_[k];
-    candidates[number++] = {
-        candidate.plane, equationOf (planes[candidate.plane]), candidate.compatible};
-  }
+  findTilePlanes (planes, tile);
   assignPoints (points,
                 samples_of_points,
-                candidates,
-                number,
+                tile_planes_.data(),
+                tile_planes_.size(),
                 noise,
                 max_sigmas,
                 unlabelled,
                 tile_labels_.data());
+  splitTile (points, noise, max_sigmas);
 
   // Near points differ by little, and single precision is enough.
   const Eigen::Vector3d reference = samples.measuredPoint (tile).cast<double>();
-  for (std::size_t k = 0; k < number; ++k) {
+  for (const TilePlane& plane : tile_planes_) {
     double sums[10];
     sumPoints (points,
                tile_labels_.data(),
-               candidates[k].number,
+               plane.number,
                {reference[0], reference[1], reference[2]},
                sums);
     if (!(sums[0] > 0.))
       continue;
     PlaneMoments moments;
     moments.add (sums, reference, static_cast<std::size_t> (sums[0]));
-    moments_[candidates[k].number] += moments;
+    moments_[plane.number] += moments;
     const auto squared_range = static_cast<float> (moments.mean().squaredNorm());
     const float sigma = noise.sigma (squared_range);
-    weighted_moments_[candidates[k].number] +=
-        moments.scaled (squared_range / (sigma * sigma));
+    weighted_moments_[plane.number] += moments.scaled (squared_range / (sigma * sigma));
   }
 }
 

@@ -113,6 +113,8 @@ PlaneExtraction::assign (const OrganizedPoints& points,
   for (std::size_t k = 0; k < planes_.size(); ++k)
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
+  if (parameters_.additions.intersections)
+    assignment_.findIntersections (samples_, planes_, parameters_.noise, max_sigmas_);
   assignment_.assignPixels (
       points, selected, samples_, planes_, parameters_.noise, max_sigmas_);
 }
@@ -175,24 +177,36 @@ void
 PlaneExtraction::joinParts()
 {
   joining_.compute (growth_.moments(), parameters_.additions.joining);
-  planes_.clear();
-  for (const PlaneMoments& moments : joining_.planes())
-    planes_.push_back (planeOf (moments.inverseDistance()));
   owners_ = growth_.owners();
-  for (std::int32_t& owner : owners_)
-    if (owner >= 0)
-      owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
-  const double min_side =
-      min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
-  if (parameters_.additions.steps)
+  giveToJoined();
+  if (parameters_.additions.steps) {
+    const double min_side =
+        min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
     steps_.compute (samples_,
-                    joining_.planes(),
                     static_cast<std::size_t> (std::ceil (min_side)),
                     max_sigmas_,
                     owners_,
-                    planes_);
+                    moments_);
+  }
+  if (parameters_.additions.strips) {
+    joining_.computeStrips (moments_);
+    giveToJoined();
+  }
+  planes_.clear();
+  for (const PlaneMoments& moments : moments_)
+    planes_.push_back (planeOf (moments.inverseDistance()));
   if (parameters_.additions.patches)
     patches_.find (samples_, owners_, planes_, parameters_.noise, max_sigmas_);
+}
+
+/** Samples go to the planes that their own ones were joined to. */
+void
+PlaneExtraction::giveToJoined()
+{
+  moments_ = joining_.planes();
+  for (std::int32_t& owner : owners_)
+    if (owner >= 0)
+      owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
 }
 
 /** Whether the plane is part of a curved surface, or lies in an uneven one, and the points
@@ -202,8 +216,7 @@ bool
 PlaneExtraction::isPatch (std::size_t plane) const
 {
   const PlaneMoments& points = assignment_.weightedMoments()[plane];
-  const double error = points.squaredErrors (points.inverseDistance()) /
-                       static_cast<double> (points.points);
+  const double error = points.meanSquaredError (points.inverseDistance());
   const bool is_uneven = parameters_.additions.assignment &&
                          assignment_.nearNormals (plane) < parameters_.min_near_normals;
   return parameters_.additions.patches &&

@@ -3,6 +3,8 @@
 
 #include <pcl/segmentation/plane_joining.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,37 +15,70 @@ namespace rgbd_planes {
 namespace {
 
 /** By how much errors may grow when one plane stands for two, as a ratio of their root
- * mean squares; smaller ones than this many standard deviations count as that. */
-constexpr double max_growth = 2.2, min_error = 0.8;
+ * mean squares, for two strips too; smaller ones than this many standard deviations count
+ * as that. */
+constexpr double max_growth = 2.2, max_strip_growth = 1.25, min_error = 0.8;
 /** How far off the plane of the larger part the smaller one may lie in the mean, in
  * standard deviations. */
 constexpr double max_offset = 2.;
+/** Strips are this many times as far from each other as they are wide. */
+constexpr double min_widths_apart = 15.;
 
-/** 0 for a perfect match, up to 1 for parts that may join. */
+/** By how much the mean squared error of either part grows on a plane of both; not finite
+ * where there is none. */
 double
-mismatch (const PlaneMoments& larger, const PlaneMoments& smaller)
+growth (const PlaneMoments& a, const PlaneMoments& b)
 {
-  const double offset =
-      std::abs (smaller.meanError (larger.inverseDistance())) / max_offset;
-  if (!(offset <= 1.))
-    return 2.;
-  PlaneMoments both = larger;
-  both += smaller;
+  PlaneMoments both = a;
+  both += b;
   const Eigen::Vector3d plane = both.inverseDistance();
-  const auto growth = [&plane] (const PlaneMoments& part) {
-    const double least = min_error * min_error * static_cast<double> (part.points);
-    const double own = part.squaredErrors (part.inverseDistance());
-    return part.squaredErrors (plane) /
-           (std::max (own, least) * max_growth * max_growth);
+  const auto growthOf = [&plane] (const PlaneMoments& part) {
+    const double own = part.meanSquaredError (part.inverseDistance());
+    return part.meanSquaredError (plane) / std::max (own, min_error * min_error);
   };
-  const double worst = std::max (growth (larger), growth (smaller));
-  return std::isfinite (worst) ? std::max (worst, offset) : 2.;
+  return std::max (growthOf (a), growthOf (b));
+}
+
+/** The side of the square as wide as the points, across where they reach farthest. */
+double
+widthOf (const PlaneMoments& points)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect (points.covariance(), Eigen::EigenvaluesOnly);
+  return std::sqrt (12. * std::max (solver.eigenvalues()[1], 0.));
 }
 
 } // namespace
 
 void
-PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join)
+PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
+{
+  join (parts, [&] (std::size_t plane, std::size_t part) {
+    const PlaneMoments& larger = planes_[plane];
+    const double offset =
+        std::abs (parts[part].meanError (larger.inverseDistance())) / max_offset;
+    if (!join_parts || !(offset <= 1.))
+      return 2.;
+    return std::max (growth (larger, parts[part]) / (max_growth * max_growth), offset);
+  });
+}
+
+void
+PlaneJoining::computeStrips (const std::vector<PlaneMoments>& parts)
+{
+  join (parts, [&] (std::size_t plane, std::size_t part) {
+    const PlaneMoments &a = planes_[plane], &b = parts[part];
+    const double apart = (a.mean() - b.mean()).norm() / min_widths_apart;
+    if (!(apart >= widthOf (b) && apart >= widthOf (a)))
+      return 2.;
+    return growth (a, b) / (max_strip_growth * max_strip_growth);
+  });
+}
+
+/** Joins parts where \a mismatch (plane, part) is 0 for a perfect match, up to 1. */
+template <typename Mismatch>
+void
+PlaneJoining::join (const std::vector<PlaneMoments>& parts, const Mismatch& mismatch)
 {
   order_.resize (parts.size());
   std::iota (order_.begin(), order_.end(), std::size_t{0});
@@ -56,8 +91,8 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join)
   for (const std::size_t part : order_) {
     double least = 1.;
     std::size_t best = planes_.size();
-    for (std::size_t k = 0; join && k < planes_.size(); ++k) {
-      const double now = mismatch (planes_[k], parts[part]);
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      const double now = mismatch (k, part);
       if (now <= least) {
         least = now;
         best = k;

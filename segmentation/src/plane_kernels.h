@@ -5,6 +5,8 @@
 
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
+#include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/plane_intersections.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 
@@ -16,11 +18,6 @@ namespace pcl {
 namespace rgbd_planes {
 
 // Loops over points in the instructions of the machine that they run on.
-
-/** The plane x, y, z * p + d = 0. */
-struct PlaneEquation {
-  float x, y, z, d;
-};
 
 inline PlaneEquation
 equationOf (const Plane& plane)
@@ -107,14 +104,6 @@ samplesAtPlane (const PlaneSamples& samples,
                 float max_sigmas,
                 float least_cosine);
 
-/** A plane that the points of a tile may lie on. */
-struct TilePlane {
-  std::uint32_t number;
-  PlaneEquation equation;
-  /** For each sample of the tile, a bit: its normal agrees with that of the plane. */
-  std::uint16_t compatible;
-};
-
 /** Points in arrays of their coordinates, as many as fill vectors of
  * PlaneSamples::tile_size; NaN where there is none. */
 struct PointBlock {
@@ -149,6 +138,29 @@ assignPoints (const PointBlock& points,
               float max_sigmas,
               std::uint32_t none,
               std::uint32_t* labels);
+
+/** Looks at the points with the label of \a plane that clearly lie on it, and clearly not on
+ * \a other. */
+SideCounts
+countSides (const PointBlock& points,
+            const std::uint32_t* labels,
+            const TilePlane& plane,
+            const PlaneEquation& other,
+            const DepthNoise& noise,
+            float max_sigmas);
+
+/** Labels anew the points of two planes that lie on both: by which one is nearer along their
+ * viewing rays.
+ * \param[in] seen which one they belong to
+ */
+void
+splitPoints (const PointBlock& points,
+             const TilePlane& a,
+             const TilePlane& b,
+             const DepthNoise& noise,
+             float max_sigmas,
+             SeenPlane seen,
+             std::uint32_t* labels);
 
 /** Sums over the points with \a label relative to \a reference, as sumSamples(), with
  * weights of 1. */

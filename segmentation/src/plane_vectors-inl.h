@@ -50,6 +50,24 @@ load (const PointRow& row, std::ptrdiff_t i)
   return {load (row.x() + i), load (row.y() + i), load (row.z() + i)};
 }
 
+HWY_INLINE Points
+load (const PointBlock& points, std::size_t i)
+{
+  return {load (points.x + i), load (points.y + i), load (points.z + i)};
+}
+
+HWY_INLINE hn::Vec<Ints>
+setInts (std::uint32_t value)
+{
+  return hn::Set (Ints(), static_cast<std::int32_t> (value));
+}
+
+HWY_INLINE hn::Vec<Ints>
+loadInts (const std::uint32_t* from)
+{
+  return hn::BitCast (Ints(), hn::LoadU (hn::RebindToUnsigned<Floats>(), from));
+}
+
 HWY_INLINE V
 dot (const PlaneEquation& plane, const Points& p)
 {

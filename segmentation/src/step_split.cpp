@@ -21,28 +21,21 @@ constexpr double min_error = 0.8, max_share = 0.08;
 /** The error of what lies on a plane. */
 constexpr double max_error = 1.5;
 
-double
-meanSquare (const PlaneMoments& points, const Eigen::Vector3d& m)
-{
-  return points.squaredErrors (m) / static_cast<double> (points.points);
-}
-
-/** The other plane that fits best to the points of a side; -1 for none. */
-std::int32_t
+/** The other plane that fits best to the points of a side, if their error is less than
+ * \a most; or else \a own. */
+std::size_t
 planeUnder (const PlaneMoments& side,
-            const std::vector<Plane>& planes,
-            std::size_t number,
+            const std::vector<PlaneMoments>& planes,
             std::size_t own,
-            double unit)
+            double most)
 {
-  std::int32_t best = -1;
-  double least = max_error * max_error;
-  for (std::size_t k = 0; k < number; ++k) {
-    const Eigen::Vector3d m = -planes[k].normal.cast<double>() / planes[k].d;
-    const double error = meanSquare (side, m) / (unit * unit);
+  std::size_t best = own;
+  double least = most * most;
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const double error = side.meanSquaredError (planes[k].inverseDistance());
     if (k != own && error < least) {
       least = error;
-      best = static_cast<std::int32_t> (k);
+      best = k;
     }
   }
   return best;
@@ -52,19 +45,20 @@ planeUnder (const PlaneMoments& side,
 
 void
 StepSplit::compute (const PlaneSamples& samples,
-                    const std::vector<PlaneMoments>& moments,
                     std::size_t min_side,
                     float max_sigmas,
                     std::vector<std::int32_t>& owners,
-                    std::vector<Plane>& planes)
+                    std::vector<PlaneMoments>& planes)
 {
   finder_.resize (samples.width, samples.height);
   const float unit = max_sigmas / reach;
+  const double least = min_error * unit;
   const double max_points = max_share * samples.width * samples.height;
-  for (std::size_t k = 0; k < moments.size(); ++k) {
-    const Eigen::Vector3d m = moments[k].inverseDistance();
-    if (static_cast<double> (moments[k].points) > max_points ||
-        !(meanSquare (moments[k], m) >= min_error * min_error * unit * unit))
+  const std::size_t number = planes.size();
+  for (std::size_t k = 0; k < number; ++k) {
+    const Eigen::Vector3d m = planes[k].inverseDistance();
+    if (static_cast<double> (planes[k].points) > max_points ||
+        !(planes[k].meanSquaredError (m) >= least * least))
       continue;
     collect (samples, owners, static_cast<std::int32_t> (k), m, unit);
     GridLine step;
@@ -76,19 +70,19 @@ StepSplit::compute (const PlaneSamples& samples,
       sides[step.isBehind (e.u, e.v)].add (p, samples.weight[e.sample]);
     }
     const std::size_t smaller = sides[1].points < sides[0].points;
-    const Eigen::Vector3d rest = sides[1 - smaller].inverseDistance();
-    const Eigen::Vector3d taken = sides[smaller].inverseDistance();
-    if (!rest.allFinite() || !taken.allFinite())
+    if (!sides[0].inverseDistance().allFinite() ||
+        !sides[1].inverseDistance().allFinite())
       continue;
-    std::int32_t owner = planeUnder (sides[smaller], planes, moments.size(), k, unit);
-    if (owner < 0) {
-      owner = static_cast<std::int32_t> (planes.size());
-      planes.push_back (planeOf (taken));
+    std::size_t owner = planeUnder (sides[smaller], planes, k, max_error * unit);
+    if (owner == k) {
+      owner = planes.size();
+      planes.emplace_back();
     }
-    planes[k] = planeOf (rest);
+    planes[owner] += sides[smaller];
+    planes[k] = sides[1 - smaller];
     for (const SampleError& e : errors_)
       if (step.isBehind (e.u, e.v) == (smaller == 1))
-        owners[e.sample] = owner;
+        owners[e.sample] = static_cast<std::int32_t> (owner);
   }
 }
 

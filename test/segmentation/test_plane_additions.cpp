@@ -235,6 +235,29 @@ TEST (PlaneAdditions, StepsPartTheEdgeOfATableFromItsLegs)
   EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 1u);
 }
 
+TEST (PlaneAdditions, StripsJoinTheLegsOfATable)
+{
+  // Turned against each other, as warped depth does: within noise, but the plane of one leg
+  // passes the other one at 5 cm.
+  const auto leg = [] (int u0, float turn) -> Surface {
+    const Eigen::Vector3f normal (std::sin (turn), 0.f, -std::cos (turn));
+    const float x = (static_cast<float> (u0) + 10.f - 319.5f) / 525.f * 1.2f;
+    return {normal, -normal.dot (Eigen::Vector3f (x, 0.f, 1.2f)), [=] (int u, int v) {
+              return u >= u0 && u < u0 + 20 && v >= 150 && v < 350;
+            }};
+  };
+  const std::vector<Surface> table{leg (80, 0.05f), leg (510, -0.05f)};
+  const Scene scene =
+      render (table, 640, 480, [] (float z) { return 0.3f * kinectSigma (z); });
+  const auto normals = trueNormals (scene, table);
+  PlaneAdditions additions;
+  const PlaneExtraction joined = extract (*scene.cloud, *normals, additions);
+  ASSERT_EQ (joined.planes().size(), 1u);
+  EXPECT_GT (joined.moments()[0].points, 7000u);
+  additions.strips = false;
+  EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 2u);
+}
+
 TEST (PlaneAdditions, AssignmentIsExactToThePixel)
 {
   const std::vector<Surface> steps{strip (1.f, 0, 322), strip (1.5f, 322, 640)};
@@ -244,4 +267,31 @@ TEST (PlaneAdditions, AssignmentIsExactToThePixel)
   // Samples stand for 4 x 4 pixels, here from column 320 on, and see column 322.
   EXPECT_EQ (labelsIn (extract (steps, additions), 316, 320), Labels{0});
   EXPECT_EQ (labelsIn (extract (steps, additions), 320, 322), Labels{1});
+}
+
+TEST (PlaneAdditions, IntersectionsSayWherePlanesEnd)
+{
+  // Walls that meet flatly, as those of a bay window, seen from inside and from outside.
+  for (const float turn : {15.f, -15.f}) {
+    std::vector<Surface> walls{tiltedPlane (2.5f, 0.f, turn),
+                               tiltedPlane (2.5f, 0.f, -turn)};
+    walls[0].covers = [] (int u, int) { return u < 320; };
+    walls[1].covers = [] (int u, int) { return u >= 320; };
+    const Scene scene = render (walls, 640, 480, kinectSigma);
+    const auto normals = trueNormals (scene, walls);
+    const auto wrong = [&] (const PlaneAdditions& additions) {
+      const PlaneExtraction found = extract (*scene.cloud, *normals, additions);
+      EXPECT_EQ (found.planes().size(), 2u);
+      const std::uint32_t first = found.labels()[240 * 640 + 10];
+      std::size_t number = 0;
+      for (std::size_t i = 0; i < found.labels().size(); ++i)
+        number += found.labels()[i] != unlabelled &&
+                  (found.labels()[i] == first) != (scene.surface[i] == 0);
+      return number;
+    };
+    PlaneAdditions additions;
+    const std::size_t with = wrong (additions);
+    additions.intersections = false;
+    EXPECT_LT (4 * with, wrong (additions)) << turn << ": " << with;
+  }
 }

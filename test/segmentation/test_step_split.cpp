@@ -62,10 +62,10 @@ protected:
         moments_[plane].add (p, samples_.weight[i]);
         owners_[i] = static_cast<std::int32_t> (plane);
       }
+    split_.compute (samples_, 25, max_sigmas, owners_, moments_);
     planes_.clear();
     for (const PlaneMoments& moments : moments_)
       planes_.push_back (planeOf (moments.inverseDistance()));
-    split_.compute (samples_, moments_, 25, max_sigmas, owners_, planes_);
   }
 
   /** The owner of the sample in the middle of column \a u of pixels. */

@@ -32,12 +32,17 @@ struct PlaneAdditions {
   bool joining = true;
   /** Planes are parted along steps, where the errors of their points jump. */
   bool steps = true;
+  /** Strips that lie apart are joined where one plane explains both. */
+  bool strips = true;
   /** Planes beside which a surface goes on, and turns, are dropped, and those to which
    * most normals of their points do not belong. */
   bool patches = true;
   /** Each point gets the nearest plane of those around it; without, that of the
    * sample in its cell. */
   bool assignment = true;
+  /** Where two planes meet, points on both go to the one on their side of the line of
+   * intersection. */
+  bool intersections = true;
 };
 
 } // namespace rgbd_planes

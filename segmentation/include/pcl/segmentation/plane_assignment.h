@@ -6,6 +6,7 @@
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/plane_intersections.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 
@@ -19,7 +20,19 @@ namespace pcl {
 namespace rgbd_planes {
 
 struct PointBlock;
-struct TilePlane;
+
+/** The plane x, y, z * p + d = 0. */
+struct PlaneEquation {
+  float x, y, z, d;
+};
+
+/** A plane that the points of a tile may lie on. */
+struct TilePlane {
+  std::uint32_t number;
+  PlaneEquation equation;
+  /** For each sample of the tile, a bit: its normal agrees with that of the plane. */
+  std::uint16_t compatible;
+};
 
 /** \brief The label of points that lie on no plane. */
 constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
@@ -57,6 +70,14 @@ public:
                  const std::vector<Plane>& planes,
                  const DepthNoise& noise,
                  float max_sigmas);
+
+  /** \brief Looks for \a planes that meet, once samples were assigned: of all points on
+   * both, each then goes to the one on its side of the line of intersection. */
+  void
+  findIntersections (const PlaneSamples& samples,
+                     const std::vector<Plane>& planes,
+                     const DepthNoise& noise,
+                     float max_sigmas);
 
   /** \brief Assigns all points.
    * \param[in] selected not 0 for the points to look at; empty for all
@@ -129,9 +150,6 @@ private:
   };
 
   static constexpr std::size_t min_samples_in_tile = 4;
-  /** How many planes a tile and the eight around it can have. */
-  static constexpr std::size_t max_candidates =
-      9 * PlaneSamples::tile_size / min_samples_in_tile;
 
   void
   findPresentPlanes (const PlaneSamples& samples,
@@ -158,6 +176,12 @@ private:
                   std::size_t tile);
 
   void
+  findTilePlanes (const std::vector<Plane>& planes, std::size_t tile);
+
+  void
+  splitTile (const PointBlock& points, const DepthNoise& noise, float max_sigmas);
+
+  void
   assignTile (const PointBlock& points,
               const std::int32_t* samples_of_points,
               const PlaneSamples& samples,
@@ -174,12 +198,14 @@ private:
   /** Of tiles inside of the image, and at its right, its lower, and both borders. */
   std::array<TilePixels, 4> layouts_;
   int image_width_ = 0, image_height_ = 0;
-  /** The points of a tile, and their labels. */
+  /** The candidates, the points of a tile, and their labels. */
+  std::vector<TilePlane> tile_planes_;
   std::vector<float> x_, y_, z_;
-  std::vector<std::uint32_t> tile_labels_;
+  std::vector<std::uint32_t> tile_labels_, sample_labels_;
   std::vector<std::uint32_t> labels_;
   std::vector<PlaneMoments> moments_, weighted_moments_;
   std::vector<Normals> normals_;
+  PlaneIntersections intersections_;
 };
 
 } // namespace rgbd_planes

@@ -145,6 +145,9 @@ private:
   joinParts ();
 
   void
+  giveToJoined ();
+
+  void
   assign (const OrganizedPoints& points, const std::vector<std::uint8_t>& selected);
 
   bool

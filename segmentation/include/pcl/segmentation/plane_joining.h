@@ -26,6 +26,12 @@ public:
   void
   compute (const std::vector<PlaneMoments>& parts, bool join);
 
+  /** \brief Joins strips, such as the front sides of two legs of a table, that lie apart:
+   * how they are turned about their long sides is not known well enough to tell whether the
+   * plane of one meets the other. */
+  void
+  computeStrips (const std::vector<PlaneMoments>& parts);
+
   /** \brief The planes. */
   const std::vector<PlaneMoments>&
   planes () const
@@ -41,6 +47,10 @@ public:
   }
 
 private:
+  template <typename Mismatch>
+  void
+  join (const std::vector<PlaneMoments>& parts, const Mismatch& mismatch);
+
   std::vector<std::size_t> order_;
   std::vector<PlaneMoments> planes_;
   std::vector<std::int32_t> plane_of_part_;

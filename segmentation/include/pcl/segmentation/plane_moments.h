@@ -109,6 +109,14 @@ struct PlaneMoments {
     return m.dot (second * m) - 2. * m.dot (first) + weight;
   }
 
+  /** \brief The mean of the squares of the errors of the points on m * p = 1, in squared
+   * standard deviations. */
+  double
+  meanSquaredError (const Eigen::Vector3d& m) const
+  {
+    return squaredErrors (m) / static_cast<double> (points);
+  }
+
   /** \brief The mean error of the points on m * p = 1, in standard deviations. */
   double
   meanError (const Eigen::Vector3d& m) const

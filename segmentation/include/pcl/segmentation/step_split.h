@@ -25,18 +25,17 @@ class PCL_RGBD_PLANES_EXPORTS StepSplit {
 public:
   /** \brief Takes the smaller side of a step from its plane. It goes to the other plane
    * that it lies on, or becomes a new one, last in the list.
-   * \param[in] moments of the samples of each plane
    * \param[in] min_side the least number of samples on either side
    * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
    * \param[in,out] owners the plane of each sample, less than 0 for none
+   * \param[in,out] planes sums over the samples of each plane
    */
   void
   compute (const PlaneSamples& samples,
-           const std::vector<PlaneMoments>& moments,
            std::size_t min_side,
            float max_sigmas,
            std::vector<std::int32_t>& owners,
-           std::vector<Plane>& planes);
+           std::vector<PlaneMoments>& planes);
 
 private:
   void

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/rgbd_planes_exports.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Of some points on one plane, how many lie nearer to the sensor than another plane
+ * does along their viewing ray, and how many farther away. */
+struct SideCounts {
+  std::size_t nearer = 0, farther = 0;
+};
+
+/** \brief What is seen on both sides of the line in which two planes intersect. */
+enum class SeenPlane {
+  /** It is not known, or one surface hides the other. */
+  unknown,
+  /** The plane that is nearer to the sensor, as in the corner of a room. */
+  nearer,
+  /** The one that is farther away, as at the edge of a box. */
+  farther
+};
+
+/** \brief Tells which planes meet in a line from points that clearly lie on one of them.
+ *
+ * There, the line of intersection says where one ends and the other begins: far away, where
+ * noise is as large as the distance between the planes, it does so better than depth.
+ */
+class PCL_RGBD_PLANES_EXPORTS PlaneIntersections {
+public:
+  /** \brief Forgets all planes. */
+  void
+  clear ();
+
+  /** \brief Adds points on plane \a own, and where they lie relative to plane \a other. */
+  void
+  add (std::uint32_t own, std::uint32_t other, const SideCounts& points);
+
+  /** \brief Looks for the planes that meet; without, all is unknown. */
+  void
+  find ();
+
+  /** \brief What is seen of two planes, in any order. */
+  SeenPlane
+  between (std::uint32_t a, std::uint32_t b) const;
+
+private:
+  /** Two planes a < b, and points on either. */
+  struct Pair {
+    std::uint32_t a, b;
+    SideCounts of_a, of_b;
+    SeenPlane seen;
+  };
+
+  std::vector<Pair> pairs_;
+  bool found_ = false;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "intersection_kernels.cpp"
+#include "simd_targets.h"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which includes this file once for each set of instructions.
+#include "plane_vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pcl {
+namespace rgbd_planes {
+namespace HWY_NAMESPACE {
+namespace {
+
+/** Points that are nearer to a plane than this share of the reach of planes clearly lie on
+ * it, and those that are farther away than this one clearly do not. */
+constexpr float on_share = 0.5f, off_share = 0.8f;
+
+/** Points, and how far from a plane they may lie. */
+struct Reach {
+  Points points;
+  V range, limit;
+};
+
+HWY_INLINE Reach
+reachOf (const Points& points, const DepthNoise& noise, float max_sigmas)
+{
+  const V squared_range = squaredLength (points);
+  return {points,
+          hn::Sqrt (squared_range),
+          hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range))};
+}
+
+/** The distances from a plane along the viewing ray that are within \a share of the reach.
+ */
+HWY_INLINE Mask
+isWithin (const Reach& reach, const PlaneEquation& plane, float share)
+{
+  const V distance = hn::Abs (hn::Add (dot (plane, reach.points), set (plane.d)));
+  const V towards =
+      hn::Max (set (plane.d), hn::Mul (reach.range, set (min_view_cosine)));
+  return hn::Le (hn::Mul (distance, reach.range),
+                 hn::Mul (hn::Mul (set (share), reach.limit), towards));
+}
+
+/** Where plane \a a is nearer to the sensor than \a b along the viewing rays. */
+HWY_INLINE Mask
+isNearer (const Points& points, const PlaneEquation& a, const PlaneEquation& b)
+{
+  return hn::Lt (hn::Mul (set (b.d), dot (a, points)),
+                 hn::Mul (set (a.d), dot (b, points)));
+}
+
+} // namespace
+
+SideCounts
+countSidesHere (const PointBlock& points,
+                const std::uint32_t* labels,
+                const TilePlane& plane,
+                const PlaneEquation& other,
+                const DepthNoise& noise,
+                float max_sigmas)
+{
+  SideCounts counts;
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
+    const Mask own = hn::RebindMask (
+        Floats(), hn::Eq (loadInts (labels + i), setInts (plane.number)));
+    const Reach reach = reachOf (load (points, i), noise, max_sigmas);
+    const Mask clear =
+        hn::AndNot (isWithin (reach, other, off_share),
+                    hn::And (own, isWithin (reach, plane.equation, on_share)));
+    const Mask nearer = isNearer (reach.points, plane.equation, other);
+    counts.nearer += hn::CountTrue (Floats(), hn::And (clear, nearer));
+    counts.farther += hn::CountTrue (Floats(), hn::AndNot (nearer, clear));
+  }
+  return counts;
+}
+
+void
+splitPointsHere (const PointBlock& points,
+                 const TilePlane& a,
+                 const TilePlane& b,
+                 const DepthNoise& noise,
+                 float max_sigmas,
+                 SeenPlane seen,
+                 std::uint32_t* labels)
+{
+  const auto a_label = setInts (a.number), b_label = setInts (b.number);
+  const bool a_is_nearer = seen == SeenPlane::nearer;
+  const auto nearer_label = a_is_nearer ? a_label : b_label,
+             farther_label = a_is_nearer ? b_label : a_label;
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
+    const auto label = loadInts (labels + i);
+    const auto of_pair = hn::Or (hn::Eq (label, a_label), hn::Eq (label, b_label));
+    const Reach reach = reachOf (load (points, i), noise, max_sigmas);
+    const Mask on_both = hn::And (
+        hn::RebindMask (Floats(), of_pair),
+        hn::And (isWithin (reach, a.equation, 1.f), isWithin (reach, b.equation, 1.f)));
+    const Mask nearer = isNearer (reach.points, a.equation, b.equation);
+    const auto side =
+        hn::IfThenElse (hn::RebindMask (Ints(), nearer), nearer_label, farther_label);
+    const auto result = hn::IfThenElse (hn::RebindMask (Ints(), on_both), side, label);
+    hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), result),
+                hn::RebindToUnsigned<Floats>(),
+                labels + i);
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rgbd_planes
+} // namespace pcl
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pcl {
+namespace rgbd_planes {
+
+HWY_EXPORT (countSidesHere);
+HWY_EXPORT (splitPointsHere);
+
+SideCounts
+countSides (const PointBlock& points,
+            const std::uint32_t* labels,
+            const TilePlane& plane,
+            const PlaneEquation& other,
+            const DepthNoise& noise,
+            float max_sigmas)
+{
+  return HWY_DYNAMIC_DISPATCH (countSidesHere) (
+      points, labels, plane, other, noise, max_sigmas);
+}
+
+void
+splitPoints (const PointBlock& points,
+             const TilePlane& a,
+             const TilePlane& b,
+             const DepthNoise& noise,
+             float max_sigmas,
+             SeenPlane seen,
+             std::uint32_t* labels)
+{
+  HWY_DYNAMIC_DISPATCH (splitPointsHere)
+  (points, a, b, noise, max_sigmas, seen, labels);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
+#endif
