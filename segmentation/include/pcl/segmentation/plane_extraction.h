@@ -70,9 +70,10 @@ struct PlaneStageTimes {
  *
  * Clusters are found on PlaneSamples. The refinement grows planes from their connected
  * parts, largest first (PlaneGrowth); what no plane took is clustered once more. Parts of
- * the same plane are joined (PlaneJoining), and planes are parted at steps (StepSplit).
- * Then each point of the image gets the nearest one of the planes around it
- * (PlaneAssignment), and planes are fitted to their points.
+ * the same plane are joined, planes are parted at steps (StepSplit), and strips are joined
+ * (PlaneJoining). Then each point of the image gets the nearest one of the planes around it
+ * or, where two planes meet, the one on its side (PlaneAssignment), and planes are fitted to
+ * their points.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneExtraction {
 public:
