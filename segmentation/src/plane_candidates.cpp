@@ -38,6 +38,7 @@ PlaneAssignment::findPlanes (const PlaneSamples& samples,
 void
 PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
 {
+  intersections_.clear();
   candidates_.clear();
   first_candidate_.clear();
   for (std::size_t i = 0; i < owners.size(); ++i) {
