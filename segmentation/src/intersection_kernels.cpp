@@ -18,33 +18,6 @@ namespace {
  * it, and those that are farther away than this one clearly do not. */
 constexpr float on_share = 0.5f, off_share = 0.8f;
 
-/** Points, and how far from a plane they may lie. */
-struct Reach {
-  Points points;
-  V range, limit;
-};
-
-HWY_INLINE Reach
-reachOf (const Points& points, const DepthNoise& noise, float max_sigmas)
-{
-  const V squared_range = squaredLength (points);
-  return {points,
-          hn::Sqrt (squared_range),
-          hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range))};
-}
-
-/** The distances from a plane along the viewing ray that are within \a share of the reach.
- */
-HWY_INLINE Mask
-isWithin (const Reach& reach, const PlaneEquation& plane, float share)
-{
-  const V distance = hn::Abs (hn::Add (dot (plane, reach.points), set (plane.d)));
-  const V towards =
-      hn::Max (set (plane.d), hn::Mul (reach.range, set (min_view_cosine)));
-  return hn::Le (hn::Mul (distance, reach.range),
-                 hn::Mul (hn::Mul (set (share), reach.limit), towards));
-}
-
 /** Where plane \a a is nearer to the sensor than \a b along the viewing rays. */
 HWY_INLINE Mask
 isNearer (const Points& points, const PlaneEquation& a, const PlaneEquation& b)
@@ -88,19 +61,19 @@ splitPointsHere (const PointBlock& points,
                  std::uint32_t* labels)
 {
   const auto a_label = setInts (a.number), b_label = setInts (b.number);
-  const bool a_is_nearer = seen == SeenPlane::nearer;
-  const auto nearer_label = a_is_nearer ? a_label : b_label,
-             farther_label = a_is_nearer ? b_label : a_label;
+  const bool nearer_is_seen = seen == SeenPlane::nearer;
+  const auto label_where_a_is_nearer = nearer_is_seen ? a_label : b_label,
+             label_elsewhere = nearer_is_seen ? b_label : a_label;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const auto label = loadInts (labels + i);
     const auto of_pair = hn::Or (hn::Eq (label, a_label), hn::Eq (label, b_label));
     const Reach reach = reachOf (load (points, i), noise, max_sigmas);
-    const Mask on_both = hn::And (
-        hn::RebindMask (Floats(), of_pair),
-        hn::And (isWithin (reach, a.equation, 1.f), isWithin (reach, b.equation, 1.f)));
-    const Mask nearer = isNearer (reach.points, a.equation, b.equation);
-    const auto side =
-        hn::IfThenElse (hn::RebindMask (Ints(), nearer), nearer_label, farther_label);
+    const Mask on_both =
+        hn::And (hn::RebindMask (Floats(), of_pair),
+                 hn::And (isWithin (reach, a.equation), isWithin (reach, b.equation)));
+    const Mask a_is_nearer = isNearer (reach.points, a.equation, b.equation);
+    const auto side = hn::IfThenElse (
+        hn::RebindMask (Ints(), a_is_nearer), label_where_a_is_nearer, label_elsewhere);
     const auto result = hn::IfThenElse (hn::RebindMask (Ints(), on_both), side, label);
     hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), result),
                 hn::RebindToUnsigned<Floats>(),

@@ -30,10 +30,7 @@ struct Nearest {
   HWY_INLINE void
   lookAt (const TilePlane& plane)
   {
-    const V distance =
-        hn::Abs (hn::Add (dot (plane.equation, points), set (plane.equation.d)));
-    const V towards =
-        hn::Max (set (plane.equation.d), hn::Mul (range, set (min_view_cosine)));
+    const auto [distance, towards] = rayOffset (plane.equation, points, range);
     const auto bit = hn::ShiftLeft<31> (hn::Shr (setInts (plane.compatible), sample));
     const Mask agrees =
         hn::MaskFromVec (hn::BitCast (Floats(), hn::ShiftRight<31> (bit)));

@@ -12,6 +12,18 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+/** The samples of the tile that begins with sample \a begin. */
+PointBlock
+samplesFrom (const PlaneSamples& samples, std::size_t begin)
+{
+  return {
+      &samples.x[begin], &samples.y[begin], &samples.z[begin], PlaneSamples::tile_size};
+}
+
+} // namespace
+
 void
 PlaneAssignment::layOutTiles (const PlaneSamples& samples,
                               const OrganizedPoints& points)
@@ -64,10 +76,7 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
     const std::size_t begin = tile * PlaneSamples::tile_size;
     if (first_candidate_[tile] == first_candidate_[tile + 1])
       continue;
-    const PointBlock points{&samples.x[begin],
-                            &samples.y[begin],
-                            &samples.z[begin],
-                            PlaneSamples::tile_size};
+    const PointBlock points = samplesFrom (samples, begin);
     assignTile (points, own, samples, tile, planes, noise, max_sigmas);
     compareNormals (samples, planes, tile);
     std::copy_n (tile_labels_.begin(), PlaneSamples::tile_size, &sample_labels_[begin]);
@@ -103,20 +112,22 @@ PlaneAssignment::findIntersections (const PlaneSamples& samples,
     if (first_candidate_[tile + 1] < first_candidate_[tile] + 2)
       continue;
     const std::size_t begin = tile * PlaneSamples::tile_size;
-    const PointBlock points{&samples.x[begin],
-                            &samples.y[begin],
-                            &samples.z[begin],
-                            PlaneSamples::tile_size};
+    const PointBlock points = samplesFrom (samples, begin);
     findTilePlanes (planes, tile);
-    for (const TilePlane& plane : tile_planes_)
+    const std::uint32_t* labels = &sample_labels_[begin];
+    for (const TilePlane& plane : tile_planes_) {
+      const auto is_own = [&] (std::uint32_t label) { return label == plane.number; };
+      if (samplesWhere (labels, is_own) == 0)
+        continue;
       for (const TilePlane& other : tile_planes_) {
         if (plane.number == other.number)
           continue;
-        const SideCounts counts = countSides (
-            points, &sample_labels_[begin], plane, other.equation, noise, max_sigmas);
+        const SideCounts counts =
+            countSides (points, labels, plane, other.equation, noise, max_sigmas);
         if (counts.nearer + counts.farther > 0)
           intersections_.add (plane.number, other.number, counts);
       }
+    }
   }
   intersections_.find();
 }

@@ -101,6 +101,44 @@ sigmaOf (const DepthNoise& noise, V squared_range)
   return hn::MulAdd (squared_range, set (noise.quadratic), set (noise.constant));
 }
 
+/** How far points are off a plane along their viewing rays, relative to their range:
+ * \a distance over \a towards. */
+struct RayOffset {
+  V distance, towards;
+};
+
+HWY_INLINE RayOffset
+rayOffset (const PlaneEquation& plane, const Points& p, V range)
+{
+  return {hn::Abs (hn::Add (dot (plane, p), set (plane.d))),
+          hn::Max (set (plane.d), hn::Mul (range, set (min_view_cosine)))};
+}
+
+/** Points, and how far along their viewing rays they may be off a plane that they lie on. */
+struct Reach {
+  Points points;
+  V squared_range, range, limit;
+};
+
+HWY_INLINE Reach
+reachOf (const Points& points, const DepthNoise& noise, float max_sigmas)
+{
+  const V squared_range = squaredLength (points);
+  return {points,
+          squared_range,
+          hn::Sqrt (squared_range),
+          hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range))};
+}
+
+/** The points that are off a plane by no more than \a share of their reach. */
+HWY_INLINE Mask
+isWithin (const Reach& reach, const PlaneEquation& plane, float share = 1.f)
+{
+  const auto [distance, towards] = rayOffset (plane, reach.points, reach.range);
+  return hn::Le (hn::Mul (distance, reach.range),
+                 hn::Mul (hn::Mul (set (share), reach.limit), towards));
+}
+
 HWY_INLINE hn::Vec<Ints>
 intOf (Mask mask, int value)
 {

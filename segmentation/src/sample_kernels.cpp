@@ -92,16 +92,10 @@ samplesAtPlaneHere (const PlaneSamples& samples,
 {
   unsigned near = 0, along = 0;
   forEachVectorFrom (begin, [&] (std::size_t i) {
-    const Points p = pointsAt (samples, i);
-    const V distance = hn::Abs (hn::Add (dot (plane, p), set (plane.d)));
-    const V squared_range = squaredLength (p);
-    const V range = hn::Sqrt (squared_range);
-    const V towards = hn::Max (set (plane.d), hn::Mul (range, set (min_view_cosine)));
-    const V reach =
-        hn::Mul (hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range)), towards);
+    const Reach reach = reachOf (pointsAt (samples, i), noise, max_sigmas);
     const V cosine = dot (plane, normalsAt (samples, i));
-    near |= bitsOf (hn::And (hn::Gt (squared_range, set (min_squared_range)),
-                             hn::Le (hn::Mul (distance, range), reach)))
+    near |= bitsOf (hn::And (hn::Gt (reach.squared_range, set (min_squared_range)),
+                             isWithin (reach, plane)))
             << (i - begin);
     along |= bitsOf (hn::And (isTrusted (samples, i),
                               hn::Ge (hn::Abs (cosine), set (least_cosine))))
