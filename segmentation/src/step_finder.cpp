@@ -16,9 +16,9 @@ namespace rgbd_planes {
 namespace {
 
 /** Samples on either side of a line whose mean errors are compared, and how many of them
- * there must be. */
+ * there must be: an edge of a table is only two or three samples thick. */
 constexpr int depth = 4;
-constexpr float min_in_depth = 3.f;
+constexpr float min_in_depth = 2.f;
 /** Errors jump by so much at an edge, and by so much in the mean of so many places or more
  * along a step. */
 constexpr float min_edge = 1.f, min_jump = 1.4f;

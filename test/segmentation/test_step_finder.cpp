@@ -93,6 +93,21 @@ TEST (StepFinder, PartsBothLegsFromTheEdgeOfATable)
   EXPECT_LE (wrong, samples.size() / 50);
 }
 
+TEST (StepFinder, PartsLegsFromAnEdgeTwoSamplesThin)
+{
+  const auto is_own = [] (int u, int v) {
+    return (isEdge (u, v) && v >= 18) || isLeg (u, v);
+  };
+  const auto samples =
+      samplesOf (is_own, [] (int u, int v) { return isLeg (u, v) ? 2.5f : 0.f; });
+  GridLine step;
+  ASSERT_TRUE (finder().find (samples, min_side, step));
+  std::size_t wrong = 0;
+  for (const SampleError& sample : samples)
+    wrong += step.isBehind (sample.u, sample.v) != isLeg (sample.u, sample.v);
+  EXPECT_LE (wrong, samples.size() / 50);
+}
+
 TEST (StepFinder, FindsStepsAtAnyAngle)
 {
   for (const float slope : {-3.f, -1.f, -0.4f, 0.3f, 0.9f, 5.f}) {
