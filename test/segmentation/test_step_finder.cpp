@@ -80,11 +80,9 @@ hasStep (const std::vector<SampleError>& samples, std::size_t least = min_side)
   return finder().find (samples, least, step);
 }
 
-} // namespace
-
-TEST (StepFinder, PartsBothLegsFromTheEdgeOfATable)
+void
+expectLegsParted (const std::vector<SampleError>& samples)
 {
-  const auto samples = samplesOf (isTable, tableWithStep (2.5f));
   GridLine step;
   ASSERT_TRUE (finder().find (samples, min_side, step));
   std::size_t wrong = 0;
@@ -93,19 +91,20 @@ TEST (StepFinder, PartsBothLegsFromTheEdgeOfATable)
   EXPECT_LE (wrong, samples.size() / 50);
 }
 
+} // namespace
+
+TEST (StepFinder, PartsBothLegsFromTheEdgeOfATable)
+{
+  expectLegsParted (samplesOf (isTable, tableWithStep (2.5f)));
+}
+
 TEST (StepFinder, PartsLegsFromAnEdgeTwoSamplesThin)
 {
   const auto is_own = [] (int u, int v) {
     return (isEdge (u, v) && v >= 18) || isLeg (u, v);
   };
-  const auto samples =
-      samplesOf (is_own, [] (int u, int v) { return isLeg (u, v) ? 2.5f : 0.f; });
-  GridLine step;
-  ASSERT_TRUE (finder().find (samples, min_side, step));
-  std::size_t wrong = 0;
-  for (const SampleError& sample : samples)
-    wrong += step.isBehind (sample.u, sample.v) != isLeg (sample.u, sample.v);
-  EXPECT_LE (wrong, samples.size() / 50);
+  expectLegsParted (
+      samplesOf (is_own, [] (int u, int v) { return isLeg (u, v) ? 2.5f : 0.f; }));
 }
 
 TEST (StepFinder, FindsStepsAtAnyAngle)
