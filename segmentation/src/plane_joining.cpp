@@ -17,10 +17,10 @@ namespace {
 /** By how much errors may grow when one plane stands for two, as a ratio of their root
  * mean squares, for two strips too; smaller ones than this many standard deviations count
  * as that. */
-constexpr double max_growth = 2.2, max_strip_growth = 1.25, min_error = 0.8;
-/** How far off the plane of the larger part the smaller one may lie in the mean, in
- * standard deviations. */
-constexpr double max_offset = 2.;
+constexpr double max_growth = 2.6, max_strip_growth = 1.25, min_error = 0.8;
+/** How far off the plane of the larger part the smaller one may lie in the mean, and how
+ * well that has to be known, in standard deviations. */
+constexpr double max_offset = 2.5, max_uncertainty = 0.5;
 /** Strips are this many times as far from each other as they are wide. */
 constexpr double min_widths_apart = 15.;
 
@@ -37,6 +37,16 @@ growth (const PlaneMoments& a, const PlaneMoments& b)
     return part.meanSquaredError (plane) / std::max (own, min_error * min_error);
   };
   return std::max (growthOf (a), growthOf (b));
+}
+
+/** The standard deviation of where the plane of \a a meets the rays to \a b, in those of
+ * the points there. */
+double
+uncertaintyAt (const PlaneMoments& a, const PlaneMoments& b)
+{
+  const Eigen::Vector3d mean = b.mean();
+  const double variance = mean.dot (a.second.inverse() * mean);
+  return std::sqrt (variance * b.weight / static_cast<double> (b.points));
 }
 
 /** The side of the square as wide as the points, across where they reach farthest. */
@@ -57,7 +67,8 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
     const PlaneMoments& larger = planes_[plane];
     const double offset =
         std::abs (parts[part].meanError (larger.inverseDistance())) / max_offset;
-    if (!join_parts || !(offset <= 1.))
+    if (!join_parts || !(offset <= 1.) ||
+        !(uncertaintyAt (larger, parts[part]) <= max_uncertainty))
       return 2.;
     return std::max (growth (larger, parts[part]) / (max_growth * max_growth), offset);
   });

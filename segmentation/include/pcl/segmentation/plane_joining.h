@@ -17,8 +17,9 @@ namespace rgbd_planes {
  * section 4.1), and those that were grown apart.
  *
  * One plane must explain the points of two parts almost as well as one for each, and the
- * plane of the larger part must not miss the smaller one. A part joins the one larger
- * than itself that it fits best.
+ * plane of the larger part must not miss the smaller one, where that plane is known well
+ * enough to tell: tops of boxes far from each other stay planes of their own. A part joins
+ * the one larger than itself that it fits best.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneJoining {
 public:

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/plane_joining.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+using pcl::rgbd_planes::PlaneJoining;
+using pcl::rgbd_planes::PlaneMoments;
+
+namespace {
+
+/** In parts of the range. */
+constexpr double noise = 0.002;
+
+/** Samples, 1 cm apart, of a square in the plane z = 1 m, whose ranges are too large by
+ * \a offset standard deviations. */
+PlaneMoments
+squareAt (double x, double side, double offset = 0.)
+{
+  std::mt19937 random (1);
+  std::normal_distribution<double> error (offset, 1.);
+  PlaneMoments square;
+  for (double u = -side / 2; u <= side / 2; u += 0.01)
+    for (double v = -side / 2; v <= side / 2; v += 0.01) {
+      const double range = 1. + noise * error (random);
+      const Eigen::Vector3f p = (Eigen::Vector3d (x + u, v, 1.) * range).cast<float>();
+      square.add (p.data(), 1. / (noise * noise));
+    }
+  return square;
+}
+
+std::vector<std::int32_t>
+planesOf (const std::vector<PlaneMoments>& parts)
+{
+  PlaneJoining joining;
+  joining.compute (parts, true);
+  return joining.planeOfPart();
+}
+
+using Planes = std::vector<std::int32_t>;
+
+} // namespace
+
+TEST (PlaneJoining, JoinsPartsWhereThePlaneOfTheLargerIsKnown)
+{
+  EXPECT_EQ (planesOf ({squareAt (-0.3, 0.4), squareAt (0.3, 0.1)}), (Planes{0, 0}));
+}
+
+TEST (PlaneJoining, LeavesPartsAFewStandardDeviationsOff)
+{
+  EXPECT_EQ (planesOf ({squareAt (-0.3, 0.4), squareAt (0.3, 0.1, 3.)}),
+             (Planes{0, 1}));
+}
+
+/** Tops of two boxes: what one says about a plane ends long before the other begins. */
+TEST (PlaneJoining, LeavesPartsWhereThePlaneOfTheLargerIsNotKnown)
+{
+  EXPECT_EQ (planesOf ({squareAt (-0.3, 0.12), squareAt (0.3, 0.1, 1.5)}),
+             (Planes{0, 1}));
+}
+
+TEST (PlaneJoining, JoinsSmallPartsByALargeOne)
+{
+  EXPECT_EQ (
+      planesOf ({squareAt (-0.3, 0.12), squareAt (0.3, 0.1), squareAt (0., 0.3)}),
+      (Planes{0, 0, 0}));
+}
