@@ -18,6 +18,9 @@ namespace {
 
 /** Cells of the normal-space grid hold at least this share of all samples. */
 constexpr double min_cell_share = 2.5e-4;
+/** Normals left by the first round, most of them of far or small planes, scatter so much
+ * more. */
+constexpr double scatter_of_rest = 2.;
 /** A connected part of a cluster is a candidate with this share of min_inliers. */
 constexpr double min_candidate_share = 0.15;
 /** Planes grow over points up to so much farther away than their own may lie: better
@@ -131,10 +134,10 @@ PlaneExtraction::findParts()
   auto start = std::chrono::steady_clock::now();
   const int rounds = parameters_.additions.repeat ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
-    normal_clusters_.compute (samples_,
-                              parameters_.grid,
-                              static_cast<float> (parameters_.angular_threshold),
-                              min_cell);
+    const double angular_threshold =
+        parameters_.angular_threshold * (round == 0 ? 1. : scatter_of_rest);
+    normal_clusters_.compute (
+        samples_, parameters_.grid, static_cast<float> (angular_threshold), min_cell);
     times_.normal_space += secondsSince (start);
     distance_clusters_.compute (
         samples_, normal_clusters_, min_candidate, parameters_.additions.peaks);

@@ -201,6 +201,26 @@ TEST (PlaneAdditions, RepeatFindsWhatWasInTheClusterOfAnother)
   EXPECT_EQ (extract (steps, additions).planes().size(), 1u);
 }
 
+TEST (PlaneAdditions, RepeatFindsPlanesWhoseNormalsScatter)
+{
+  // Samples in turn 9 degrees to the left and to the right; too few of a kind touch.
+  const std::vector<Surface> box{{{0.f, 0.f, -1.f}, 1.5f, [] (int u, int v) {
+                                    return u >= 200 && u < 360 && v >= 200 && v < 232;
+                                  }}};
+  const Scene scene = render (box);
+  const auto normals = trueNormals (scene, box);
+  for (int v = 200; v < 232; ++v)
+    for (int u = 200; u < 360; ++u) {
+      const float turn = u / 4 % 2 == 0 ? 0.15f : -0.15f;
+      (*normals) (u, v).getNormalVector3fMap() << std::sin (turn), 0.f,
+          -std::cos (turn);
+    }
+  PlaneAdditions additions;
+  EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 1u);
+  additions.repeat = false;
+  EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 0u);
+}
+
 TEST (PlaneAdditions, JoiningUnitesAWallBehindAColumn)
 {
   const std::vector<Surface> wall{strip (2.f, 0, 250), strip (2.f, 350, 640)};

@@ -26,7 +26,7 @@ struct PlaneAdditions {
   bool growth = true;
   /** Candidates whose normals turn with the place become no planes. */
   bool curved = true;
-  /** What no plane took is clustered once more. */
+  /** What no plane took is clustered once more, with twice the angular threshold. */
   bool repeat = true;
   /** Candidates on the same plane are joined. */
   bool joining = true;
