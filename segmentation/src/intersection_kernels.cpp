@@ -17,6 +17,8 @@ namespace {
 /** Points that are nearer to a plane than this share of the reach of planes clearly lie on
  * it, and those that are farther away than this one clearly do not. */
 constexpr float on_share = 0.5f, off_share = 0.8f;
+/** Where two planes are farther apart, points are clear of the line in which they meet. */
+constexpr float clear_share = 0.6f;
 
 /** Where plane \a a is nearer to the sensor than \a b along the viewing rays. */
 HWY_INLINE Mask
@@ -81,6 +83,37 @@ splitPointsHere (const PointBlock& points,
   }
 }
 
+void
+dropUnclearHere (const PointBlock& points,
+                 const TilePlane& plane,
+                 const TilePlane& other,
+                 const DepthNoise& noise,
+                 float max_sigmas,
+                 SeenPlane seen,
+                 std::uint32_t none,
+                 std::uint32_t* labels)
+{
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
+    const auto label = loadInts (labels + i);
+    const Mask own = hn::RebindMask (Floats(), hn::Eq (label, setInts (plane.number)));
+    const Reach reach = reachOf (load (points, i), noise, max_sigmas);
+    // The inverses of the ranges of both planes, relative to that of the point, times both
+    // of their distances to the sensor: where negative, a plane is infinitely far away.
+    const V a = hn::Neg (dot (plane.equation, reach.points)),
+            b = hn::Neg (dot (other.equation, reach.points));
+    const V a_is_nearer =
+        hn::MulSub (a, set (other.equation.d), hn::Mul (b, set (plane.equation.d)));
+    const V ahead = seen == SeenPlane::nearer ? a_is_nearer : hn::Neg (a_is_nearer);
+    const V gap = hn::Mul (hn::Mul (set (clear_share), reach.limit), hn::Mul (a, b));
+    const Mask clear = hn::Ge (hn::Mul (ahead, reach.range), gap);
+    const auto result = hn::IfThenElse (
+        hn::RebindMask (Ints(), hn::AndNot (clear, own)), setInts (none), label);
+    hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), result),
+                hn::RebindToUnsigned<Floats>(),
+                labels + i);
+  }
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace rgbd_planes
 } // namespace pcl
@@ -92,6 +125,7 @@ namespace rgbd_planes {
 
 HWY_EXPORT (countSidesHere);
 HWY_EXPORT (splitPointsHere);
+HWY_EXPORT (dropUnclearHere);
 
 SideCounts
 countSides (const PointBlock& points,
@@ -116,6 +150,20 @@ splitPoints (const PointBlock& points,
 {
   HWY_DYNAMIC_DISPATCH (splitPointsHere)
   (points, a, b, noise, max_sigmas, seen, labels);
+}
+
+void
+dropUnclear (const PointBlock& points,
+             const TilePlane& plane,
+             const TilePlane& other,
+             const DepthNoise& noise,
+             float max_sigmas,
+             SeenPlane seen,
+             std::uint32_t none,
+             std::uint32_t* labels)
+{
+  HWY_DYNAMIC_DISPATCH (dropUnclearHere)
+  (points, plane, other, noise, max_sigmas, seen, none, labels);
 }
 
 } // namespace rgbd_planes

@@ -12,18 +12,6 @@
 namespace pcl {
 namespace rgbd_planes {
 
-namespace {
-
-/** The samples of the tile that begins with sample \a begin. */
-PointBlock
-samplesFrom (const PlaneSamples& samples, std::size_t begin)
-{
-  return {
-      &samples.x[begin], &samples.y[begin], &samples.z[begin], PlaneSamples::tile_size};
-}
-
-} // namespace
-
 void
 PlaneAssignment::layOutTiles (const PlaneSamples& samples,
                               const OrganizedPoints& points)
@@ -102,36 +90,6 @@ PlaneAssignment::compareNormals (const PlaneSamples& samples,
   }
 }
 
-void
-PlaneAssignment::findIntersections (const PlaneSamples& samples,
-                                    const std::vector<Plane>& planes,
-                                    const DepthNoise& noise,
-                                    float max_sigmas)
-{
-  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
-    if (first_candidate_[tile + 1] < first_candidate_[tile] + 2)
-      continue;
-    const std::size_t begin = tile * PlaneSamples::tile_size;
-    const PointBlock points = samplesFrom (samples, begin);
-    findTilePlanes (planes, tile);
-    const std::uint32_t* labels = &sample_labels_[begin];
-    for (const TilePlane& plane : tile_planes_) {
-      const auto is_own = [&] (std::uint32_t label) { return label == plane.number; };
-      if (samplesWhere (labels, is_own) == 0)
-        continue;
-      for (const TilePlane& other : tile_planes_) {
-        if (plane.number == other.number)
-          continue;
-        const SideCounts counts =
-            countSides (points, labels, plane, other.equation, noise, max_sigmas);
-        if (counts.nearer + counts.farther > 0)
-          intersections_.add (plane.number, other.number, counts);
-      }
-    }
-  }
-  intersections_.find();
-}
-
 /** The planes that points of the tile may lie on. */
 void
 PlaneAssignment::findTilePlanes (const std::vector<Plane>& planes, std::size_t tile)
@@ -142,20 +100,6 @@ PlaneAssignment::findTilePlanes (const std::vector<Plane>& planes, std::size_t t
     tile_planes_.push_back (
         {candidate.plane, equationOf (planes[candidate.plane]), candidate.compatible});
   }
-}
-
-/** Gives points on two planes that meet to the one on their side. */
-void
-PlaneAssignment::splitTile (const PointBlock& points,
-                            const DepthNoise& noise,
-                            float max_sigmas)
-{
-  for (auto a = tile_planes_.begin(); a != tile_planes_.end(); ++a)
-    for (auto b = a + 1; b != tile_planes_.end(); ++b) {
-      const SeenPlane seen = intersections_.between (a->number, b->number);
-      if (seen != SeenPlane::unknown)
-        splitPoints (points, *a, *b, noise, max_sigmas, seen, tile_labels_.data());
-    }
 }
 
 void
@@ -240,7 +184,18 @@ PlaneAssignment::assignTile (const PointBlock& points,
                 unlabelled,
                 tile_labels_.data());
   splitTile (points, noise, max_sigmas);
+  sumTile (points, samples, tile, noise, moments_, weighted_moments_);
+}
 
+/** Adds the points to the moments of the planes whose labels they have. */
+void
+PlaneAssignment::sumTile (const PointBlock& points,
+                          const PlaneSamples& samples,
+                          std::size_t tile,
+                          const DepthNoise& noise,
+                          std::vector<PlaneMoments>& moments,
+                          std::vector<PlaneMoments>& weighted) const
+{
   // Near points differ by little, and single precision is enough.
   const Eigen::Vector3d reference = samples.measuredPoint (tile).cast<double>();
   for (const TilePlane& plane : tile_planes_) {
@@ -252,12 +207,12 @@ PlaneAssignment::assignTile (const PointBlock& points,
                sums);
     if (!(sums[0] > 0.))
       continue;
-    PlaneMoments moments;
-    moments.add (sums, reference, static_cast<std::size_t> (sums[0]));
-    moments_[plane.number] += moments;
-    const auto squared_range = static_cast<float> (moments.mean().squaredNorm());
+    PlaneMoments of_tile;
+    of_tile.add (sums, reference, static_cast<std::size_t> (sums[0]));
+    moments[plane.number] += of_tile;
+    const auto squared_range = static_cast<float> (of_tile.mean().squaredNorm());
     const float sigma = noise.sigma (squared_range);
-    weighted_moments_[plane.number] += moments.scaled (squared_range / (sigma * sigma));
+    weighted[plane.number] += of_tile.scaled (squared_range / (sigma * sigma));
   }
 }
 

@@ -113,13 +113,22 @@ PlaneExtraction::assign (const OrganizedPoints& points,
   assignment_.findPlanes (samples_, owners_, planes_);
   // Samples near a crease may lie nearer to the plane on its other side.
   assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
+  fitToSamples();
+  if (parameters_.additions.intersections) {
+    assignment_.findIntersections (samples_, planes_, parameters_.noise, max_sigmas_);
+    assignment_.sumClearSamples (samples_, planes_, parameters_.noise, max_sigmas_);
+    fitToSamples();
+  }
+  assignment_.assignPixels (
+      points, selected, samples_, planes_, parameters_.noise, max_sigmas_);
+}
+
+void
+PlaneExtraction::fitToSamples()
+{
   for (std::size_t k = 0; k < planes_.size(); ++k)
     if (assignment_.moments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
-  if (parameters_.additions.intersections)
-    assignment_.findIntersections (samples_, planes_, parameters_.noise, max_sigmas_);
-  assignment_.assignPixels (
-      points, selected, samples_, planes_, parameters_.noise, max_sigmas_);
 }
 
 void

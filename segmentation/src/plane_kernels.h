@@ -111,6 +111,14 @@ struct PointBlock {
   std::size_t size = 0;
 };
 
+/** The samples of the tile that begins with sample \a begin. */
+inline PointBlock
+samplesFrom (const PlaneSamples& samples, std::size_t begin)
+{
+  return {
+      &samples.x[begin], &samples.y[begin], &samples.z[begin], PlaneSamples::tile_size};
+}
+
 /** Copies pixels from an image into arrays.
  * \param[in] first x, y, z of a pixel
  * \param[in] stride floats from one pixel to the next in a row
@@ -160,6 +168,20 @@ splitPoints (const PointBlock& points,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
+             std::uint32_t* labels);
+
+/** Gives \a none to the points of \a plane near the line in which it meets \a other: where
+ * the planes are not clearly apart along the viewing ray, or the other one should be seen.
+ * \param[in] seen which one is seen
+ */
+void
+dropUnclear (const PointBlock& points,
+             const TilePlane& plane,
+             const TilePlane& other,
+             const DepthNoise& noise,
+             float max_sigmas,
+             SeenPlane seen,
+             std::uint32_t none,
              std::uint32_t* labels);
 
 /** Sums over the points with \a label relative to \a reference, as sumSamples(), with

@@ -289,6 +289,23 @@ TEST (PlaneAdditions, AssignmentIsExactToThePixel)
   EXPECT_EQ (labelsIn (extract (steps, additions), 320, 322), Labels{1});
 }
 
+TEST (PlaneAdditions, IntersectionsLeaveOutWhatTurnsAGrazingPlane)
+{
+  // A ceiling at 1 m above the sensor, from 4.5 m to the wall at 5 m.
+  std::vector<Surface> room{
+      {{0.f, 0.f, -1.f}, 5.f, [] (int, int v) { return v >= 135; }},
+      {{0.f, 1.f, 0.f}, 1.f, [] (int, int v) { return v >= 123 && v < 135; }}};
+  const Scene scene = render (room, 640, 480, kinectSigma);
+  const auto normals = trueNormals (scene, room);
+  const PlaneExtraction found = extract (*scene.cloud, *normals, PlaneAdditions());
+  ASSERT_EQ (found.planes().size(), 2u);
+  for (const auto& plane : found.planes()) {
+    const Surface& surface = room[plane.normal[1] > .5f];
+    EXPECT_LT (plane.normal.cross (surface.normal).norm(), .0005f);
+    EXPECT_NEAR (plane.d, surface.d, .001f);
+  }
+}
+
 TEST (PlaneAdditions, IntersectionsSayWherePlanesEnd)
 {
   // Walls that meet flatly, as those of a bay window, seen from inside and from outside.

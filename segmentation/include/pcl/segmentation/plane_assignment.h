@@ -80,6 +80,18 @@ public:
                      const DepthNoise& noise,
                      float max_sigmas);
 
+  /** \brief Leaves the samples near lines of intersection out of the sums of the planes that
+   * meet there, but for planes of which little would be left.
+   *
+   * Samples may be on the wrong side of a line that is not known yet; a few of them turn a
+   * plane that is seen at a grazing angle.
+   */
+  void
+  sumClearSamples (const PlaneSamples& samples,
+                   const std::vector<Plane>& planes,
+                   const DepthNoise& noise,
+                   float max_sigmas);
+
   /** \brief Assigns all points.
    * \param[in] selected not 0 for the points to look at; empty for all
    */
@@ -191,6 +203,14 @@ private:
               const DepthNoise& noise,
               float max_sigmas);
 
+  void
+  sumTile (const PointBlock& points,
+           const PlaneSamples& samples,
+           std::size_t tile,
+           const DepthNoise& noise,
+           std::vector<PlaneMoments>& moments,
+           std::vector<PlaneMoments>& weighted) const;
+
   /** Planes with enough samples in each tile: present_[first_present_[t] ...
    * first_present_[t + 1]); candidates likewise. */
   std::vector<std::uint32_t> present_;
@@ -205,6 +225,7 @@ private:
   std::vector<std::uint32_t> tile_labels_, sample_labels_;
   std::vector<std::uint32_t> labels_;
   std::vector<PlaneMoments> moments_, weighted_moments_;
+  std::vector<PlaneMoments> clear_moments_, clear_weighted_moments_;
   std::vector<Normals> normals_;
   PlaneIntersections intersections_;
 };

@@ -151,6 +151,9 @@ private:
   void
   assign (const OrganizedPoints& points, const std::vector<std::uint8_t>& selected);
 
+  void
+  fitToSamples ();
+
   bool
   isPatch (std::size_t plane) const;
 
