@@ -33,20 +33,20 @@ isNearer (const Points& points, const PlaneEquation& a, const PlaneEquation& b)
 SideCounts
 countSidesHere (const PointBlock& points,
                 const std::uint32_t* labels,
-                const TilePlane& plane,
+                std::uint32_t label,
+                const PlaneEquation& plane,
                 const PlaneEquation& other,
                 const DepthNoise& noise,
                 float max_sigmas)
 {
   SideCounts counts;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
-    const Mask own = hn::RebindMask (
-        Floats(), hn::Eq (loadInts (labels + i), setInts (plane.number)));
+    const Mask own =
+        hn::RebindMask (Floats(), hn::Eq (loadInts (labels + i), setInts (label)));
     const Reach reach = reachOf (load (points, i), noise, max_sigmas);
-    const Mask clear =
-        hn::AndNot (isWithin (reach, other, off_share),
-                    hn::And (own, isWithin (reach, plane.equation, on_share)));
-    const Mask nearer = isNearer (reach.points, plane.equation, other);
+    const Mask clear = hn::AndNot (isWithin (reach, other, off_share),
+                                   hn::And (own, isWithin (reach, plane, on_share)));
+    const Mask nearer = isNearer (reach.points, plane, other);
     counts.nearer += hn::CountTrue (Floats(), hn::And (clear, nearer));
     counts.farther += hn::CountTrue (Floats(), hn::AndNot (nearer, clear));
   }
@@ -55,14 +55,15 @@ countSidesHere (const PointBlock& points,
 
 void
 splitPointsHere (const PointBlock& points,
-                 const TilePlane& a,
-                 const TilePlane& b,
+                 std::uint32_t a,
+                 std::uint32_t b,
+                 const PlaneEquation* equations,
                  const DepthNoise& noise,
                  float max_sigmas,
                  SeenPlane seen,
                  std::uint32_t* labels)
 {
-  const auto a_label = setInts (a.number), b_label = setInts (b.number);
+  const auto a_label = setInts (a), b_label = setInts (b);
   const bool nearer_is_seen = seen == SeenPlane::nearer;
   const auto label_where_a_is_nearer = nearer_is_seen ? a_label : b_label,
              label_elsewhere = nearer_is_seen ? b_label : a_label;
@@ -70,10 +71,10 @@ splitPointsHere (const PointBlock& points,
     const auto label = loadInts (labels + i);
     const auto of_pair = hn::Or (hn::Eq (label, a_label), hn::Eq (label, b_label));
     const Reach reach = reachOf (load (points, i), noise, max_sigmas);
-    const Mask on_both =
-        hn::And (hn::RebindMask (Floats(), of_pair),
-                 hn::And (isWithin (reach, a.equation), isWithin (reach, b.equation)));
-    const Mask a_is_nearer = isNearer (reach.points, a.equation, b.equation);
+    const Mask on_both = hn::And (
+        hn::RebindMask (Floats(), of_pair),
+        hn::And (isWithin (reach, equations[a]), isWithin (reach, equations[b])));
+    const Mask a_is_nearer = isNearer (reach.points, equations[a], equations[b]);
     const auto side = hn::IfThenElse (
         hn::RebindMask (Ints(), a_is_nearer), label_where_a_is_nearer, label_elsewhere);
     const auto result = hn::IfThenElse (hn::RebindMask (Ints(), on_both), side, label);
@@ -85,8 +86,9 @@ splitPointsHere (const PointBlock& points,
 
 void
 dropUnclearHere (const PointBlock& points,
-                 const TilePlane& plane,
-                 const TilePlane& other,
+                 std::uint32_t label,
+                 const PlaneEquation& plane,
+                 const PlaneEquation& other,
                  const DepthNoise& noise,
                  float max_sigmas,
                  SeenPlane seen,
@@ -94,20 +96,19 @@ dropUnclearHere (const PointBlock& points,
                  std::uint32_t* labels)
 {
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
-    const auto label = loadInts (labels + i);
-    const Mask own = hn::RebindMask (Floats(), hn::Eq (label, setInts (plane.number)));
+    const auto before = loadInts (labels + i);
+    const Mask own = hn::RebindMask (Floats(), hn::Eq (before, setInts (label)));
     const Reach reach = reachOf (load (points, i), noise, max_sigmas);
     // The inverses of the ranges of both planes, relative to that of the point, times both
     // of their distances to the sensor: where negative, a plane is infinitely far away.
-    const V a = hn::Neg (dot (plane.equation, reach.points)),
-            b = hn::Neg (dot (other.equation, reach.points));
-    const V a_is_nearer =
-        hn::MulSub (a, set (other.equation.d), hn::Mul (b, set (plane.equation.d)));
+    const V a = hn::Neg (dot (plane, reach.points)),
+            b = hn::Neg (dot (other, reach.points));
+    const V a_is_nearer = hn::MulSub (a, set (other.d), hn::Mul (b, set (plane.d)));
     const V ahead = seen == SeenPlane::nearer ? a_is_nearer : hn::Neg (a_is_nearer);
     const V gap = hn::Mul (hn::Mul (set (clear_share), reach.limit), hn::Mul (a, b));
     const Mask clear = hn::Ge (hn::Mul (ahead, reach.range), gap);
     const auto result = hn::IfThenElse (
-        hn::RebindMask (Ints(), hn::AndNot (clear, own)), setInts (none), label);
+        hn::RebindMask (Ints(), hn::AndNot (clear, own)), setInts (none), before);
     hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), result),
                 hn::RebindToUnsigned<Floats>(),
                 labels + i);
@@ -130,32 +131,35 @@ HWY_EXPORT (dropUnclearHere);
 SideCounts
 countSides (const PointBlock& points,
             const std::uint32_t* labels,
-            const TilePlane& plane,
+            std::uint32_t label,
+            const PlaneEquation& plane,
             const PlaneEquation& other,
             const DepthNoise& noise,
             float max_sigmas)
 {
   return HWY_DYNAMIC_DISPATCH (countSidesHere) (
-      points, labels, plane, other, noise, max_sigmas);
+      points, labels, label, plane, other, noise, max_sigmas);
 }
 
 void
 splitPoints (const PointBlock& points,
-             const TilePlane& a,
-             const TilePlane& b,
+             std::uint32_t a,
+             std::uint32_t b,
+             const PlaneEquation* equations,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
              std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (splitPointsHere)
-  (points, a, b, noise, max_sigmas, seen, labels);
+  (points, a, b, equations, noise, max_sigmas, seen, labels);
 }
 
 void
 dropUnclear (const PointBlock& points,
-             const TilePlane& plane,
-             const TilePlane& other,
+             std::uint32_t label,
+             const PlaneEquation& plane,
+             const PlaneEquation& other,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
@@ -163,7 +167,7 @@ dropUnclear (const PointBlock& points,
              std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (dropUnclearHere)
-  (points, plane, other, noise, max_sigmas, seen, none, labels);
+  (points, label, plane, other, noise, max_sigmas, seen, none, labels);
 }
 
 } // namespace rgbd_planes

@@ -28,9 +28,9 @@ struct Nearest {
   hn::Vec<Ints> label;
 
   HWY_INLINE void
-  lookAt (const TilePlane& plane)
+  lookAt (const TilePlane& plane, const PlaneEquation& equation)
   {
-    const auto [distance, towards] = rayOffset (plane.equation, points, range);
+    const auto [distance, towards] = rayOffset (equation, points, range);
     const auto bit = hn::ShiftLeft<31> (hn::Shr (setInts (plane.compatible), sample));
     const Mask agrees =
         hn::MaskFromVec (hn::BitCast (Floats(), hn::ShiftRight<31> (bit)));
@@ -41,6 +41,15 @@ struct Nearest {
     label = hn::IfThenElse (hn::RebindMask (Ints(), on), setInts (plane.number), label);
   }
 };
+
+HWY_INLINE bool
+isAny (const std::uint32_t* labels, std::size_t size, std::uint32_t label)
+{
+  for (std::size_t i = 0; i < size; i += hn::Lanes (Floats()))
+    if (!hn::AllFalse (Ints(), hn::Eq (loadInts (labels + i), setInts (label))))
+      return true;
+  return false;
+}
 
 } // namespace
 
@@ -83,8 +92,8 @@ loadPixelsHere (const float* first,
 void
 assignPointsHere (const PointBlock& points,
                   const std::int32_t* samples,
-                  const TilePlane* planes,
-                  std::size_t number,
+                  const TilePlanes& planes,
+                  const PlaneEquation* equations,
                   const DepthNoise& noise,
                   float max_sigmas,
                   std::uint32_t none,
@@ -105,8 +114,8 @@ assignPointsHere (const PointBlock& points,
                        hn::Mul (set (max_sigmas), sigma),
                        range,
                        setInts (none)};
-    for (std::size_t k = 0; k < number; ++k)
-      nearest.lookAt (planes[k]);
+    for (const TilePlane& plane : planes)
+      nearest.lookAt (plane, equations[plane.number]);
     const auto label = hn::IfThenElse (
         hn::RebindMask (Ints(), measured), nearest.label, setInts (none));
     hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), label),
@@ -115,27 +124,33 @@ assignPointsHere (const PointBlock& points,
   }
 }
 
-void
+std::size_t
 sumPointsHere (const PointBlock& points,
+               const float* weights,
                const std::uint32_t* labels,
                std::uint32_t label,
                const double (&reference)[3],
                double (&sums)[10])
 {
-  Sums ones;
-  const V x = set (static_cast<float> (reference[0])),
-          y = set (static_cast<float> (reference[1])),
-          z = set (static_cast<float> (reference[2]));
+  if (!isAny (labels, points.size, label))
+    return 0;
+  Sums all;
+  std::size_t number = 0;
+  const Points origin = {set (static_cast<float> (reference[0])),
+                         set (static_cast<float> (reference[1])),
+                         set (static_cast<float> (reference[2]))};
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Mask on =
         hn::RebindMask (Floats(), hn::Eq (loadInts (labels + i), setInts (label)));
-    const Points p = load (points, i);
-    ones.add ({hn::IfThenElseZero (on, hn::Sub (p.x, x)),
-               hn::IfThenElseZero (on, hn::Sub (p.y, y)),
-               hn::IfThenElseZero (on, hn::Sub (p.z, z))},
-              hn::IfThenElseZero (on, set (1.f)));
+    const Points p = difference (load (points, i), origin);
+    all.add ({hn::IfThenElseZero (on, p.x),
+              hn::IfThenElseZero (on, p.y),
+              hn::IfThenElseZero (on, p.z)},
+             hn::IfThenElseZero (on, load (weights + i)));
+    number += hn::CountTrue (Floats(), on);
   }
-  totals (ones, sums);
+  totals (all, sums);
+  return number;
 }
 
 } // namespace HWY_NAMESPACE
@@ -166,25 +181,27 @@ loadPixels (const float* first,
 void
 assignPoints (const PointBlock& points,
               const std::int32_t* samples,
-              const TilePlane* planes,
-              std::size_t number,
+              const TilePlanes& planes,
+              const PlaneEquation* equations,
               const DepthNoise& noise,
               float max_sigmas,
               std::uint32_t none,
               std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (assignPointsHere)
-  (points, samples, planes, number, noise, max_sigmas, none, labels);
+  (points, samples, planes, equations, noise, max_sigmas, none, labels);
 }
 
-void
+std::size_t
 sumPoints (const PointBlock& points,
+           const float* weights,
            const std::uint32_t* labels,
            std::uint32_t label,
            const double (&reference)[3],
            double (&sums)[10])
 {
-  HWY_DYNAMIC_DISPATCH (sumPointsHere) (points, labels, label, reference, sums);
+  return HWY_DYNAMIC_DISPATCH (sumPointsHere) (
+      points, weights, labels, label, reference, sums);
 }
 
 } // namespace rgbd_planes

@@ -43,6 +43,7 @@ PlaneAssignment::layOutTiles (const PlaneSamples& samples,
   const auto pixels = static_cast<std::size_t> (side * side);
   for (auto* values : {&x_, &y_, &z_})
     values->resize (pixels);
+  ones_.assign (pixels, 1.f);
   tile_labels_.resize (std::max (pixels, PlaneSamples::tile_size));
 }
 
@@ -52,9 +53,9 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
                                 const DepthNoise& noise,
                                 float max_sigmas)
 {
-  moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
   normals_.assign (planes.size(), {});
+  setEquations (planes);
   intersections_.clear();
   sample_labels_.resize (samples.size());
   tile_labels_.resize (std::max (tile_labels_.size(), PlaneSamples::tile_size));
@@ -62,44 +63,38 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
   std::iota (own, std::end (own), 0);
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
     const std::size_t begin = tile * PlaneSamples::tile_size;
-    if (first_candidate_[tile] == first_candidate_[tile + 1])
+    if (planesOf (tile).size() == 0)
       continue;
     const PointBlock points = samplesFrom (samples, begin);
-    assignTile (points, own, samples, tile, planes, noise, max_sigmas);
-    compareNormals (samples, planes, tile);
+    assignTile (points, own, tile, noise, max_sigmas);
+    sumSamples (samples, tile, weighted_moments_);
+    compareNormals (samples, tile);
     std::copy_n (tile_labels_.begin(), PlaneSamples::tile_size, &sample_labels_[begin]);
   }
 }
 
 /** Counts the normals of the samples of the tile, which was assigned last. */
 void
-PlaneAssignment::compareNormals (const PlaneSamples& samples,
-                                 const std::vector<Plane>& planes,
-                                 std::size_t tile)
+PlaneAssignment::compareNormals (const PlaneSamples& samples, std::size_t tile)
 {
-  for (std::size_t k = first_candidate_[tile]; k < first_candidate_[tile + 1]; ++k) {
-    const std::uint32_t plane = candidates_[k].plane;
-    const unsigned own = samplesWhere (
-        tile_labels_.data(), [plane] (std::uint32_t label) { return label == plane; });
+  for (const TilePlane& plane : planesOf (tile)) {
+    const unsigned own =
+        samplesWhere (tile_labels_.data(),
+                      [&plane] (std::uint32_t label) { return label == plane.number; });
     if (own == 0)
       continue;
     const NormalsAtPlane at_plane = normalsAtPlane (
-        samples, tile * PlaneSamples::tile_size, equationOf (planes[plane]));
-    normals_[plane].known += count (own & at_plane.known);
-    normals_[plane].near += count (own & at_plane.near);
+        samples, tile * PlaneSamples::tile_size, equations_[plane.number]);
+    normals_[plane.number].known += count (own & at_plane.known);
+    normals_[plane.number].near += count (own & at_plane.near);
   }
 }
 
-/** The planes that points of the tile may lie on. */
 void
-PlaneAssignment::findTilePlanes (const std::vector<Plane>& planes, std::size_t tile)
+PlaneAssignment::setEquations (const std::vector<Plane>& planes)
 {
-  tile_planes_.clear();
-  for (std::size_t k = first_candidate_[tile]; k < first_candidate_[tile + 1]; ++k) {
-    const Candidate& candidate = candidates_[k];
-    tile_planes_.push_back (
-        {candidate.plane, equationOf (planes[candidate.plane]), candidate.compatible});
-  }
+  equations_.resize (planes.size());
+  std::transform (planes.begin(), planes.end(), equations_.begin(), equationOf);
 }
 
 void
@@ -113,6 +108,7 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
   layOutTiles (samples, points);
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
+  setEquations (planes);
   labels_.resize (points.size());
   const auto width = static_cast<std::size_t> (points.width);
   const auto side = static_cast<std::size_t> (layouts_[0].width);
@@ -123,17 +119,16 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
           (static_cast<std::size_t> (v) * width + static_cast<std::size_t> (u)) * side;
       const bool at_right = u + 1 == samples.tiles_u, below = v + 1 == samples.tiles_v;
       const TilePixels& pixels = layouts_[(below ? 2u : 0u) + (at_right ? 1u : 0u)];
-      if (first_candidate_[tile] == first_candidate_[tile + 1])
+      if (planesOf (tile).size() == 0)
         std::fill (tile_labels_.begin(), tile_labels_.end(), unlabelled);
       else {
         loadTile (points, selected, pixels, first);
         assignTile ({x_.data(), y_.data(), z_.data(), pixels.offsets.size()},
                     pixels.samples.data(),
-                    samples,
                     tile,
-                    planes,
                     noise,
                     max_sigmas);
+        sumPixels (pixels.offsets.size(), samples.measuredPoint (tile), tile, noise);
       }
       const auto row = static_cast<std::size_t> (pixels.width);
       for (std::size_t k = 0; k < static_cast<std::size_t> (pixels.height); ++k)
@@ -164,55 +159,73 @@ PlaneAssignment::loadTile (const OrganizedPoints& points,
         x_[k] = std::numeric_limits<float>::quiet_NaN();
 }
 
-/** Leaves the labels of the points, and adds to the moments. */
+/** Leaves the labels of the points. */
 void
 PlaneAssignment::assignTile (const PointBlock& points,
                              const std::int32_t* samples_of_points,
-                             const PlaneSamples& samples,
                              std::size_t tile,
-                             const std::vector<Plane>& planes,
                              const DepthNoise& noise,
                              float max_sigmas)
 {
-  findTilePlanes (planes, tile);
   assignPoints (points,
                 samples_of_points,
-                tile_planes_.data(),
-                tile_planes_.size(),
+                planesOf (tile),
+                equations_.data(),
                 noise,
                 max_sigmas,
                 unlabelled,
                 tile_labels_.data());
-  splitTile (points, noise, max_sigmas);
-  sumTile (points, samples, tile, noise, moments_, weighted_moments_);
+  splitTile (points, tile, noise, max_sigmas);
 }
 
-/** Adds the points to the moments of the planes whose labels they have. */
+/** Adds the samples of the tile to the moments of the planes whose labels they have. */
 void
-PlaneAssignment::sumTile (const PointBlock& points,
-                          const PlaneSamples& samples,
-                          std::size_t tile,
-                          const DepthNoise& noise,
-                          std::vector<PlaneMoments>& moments,
-                          std::vector<PlaneMoments>& weighted) const
+PlaneAssignment::sumSamples (const PlaneSamples& samples,
+                             std::size_t tile,
+                             std::vector<PlaneMoments>& moments) const
 {
+  const std::size_t begin = tile * PlaneSamples::tile_size;
   // Near points differ by little, and single precision is enough.
   const Eigen::Vector3d reference = samples.measuredPoint (tile).cast<double>();
-  for (const TilePlane& plane : tile_planes_) {
+  for (const TilePlane& plane : planesOf (tile)) {
     double sums[10];
-    sumPoints (points,
-               tile_labels_.data(),
-               plane.number,
-               {reference[0], reference[1], reference[2]},
-               sums);
-    if (!(sums[0] > 0.))
+    const std::size_t number = sumPoints (samplesFrom (samples, begin),
+                                          &samples.weight[begin],
+                                          tile_labels_.data(),
+                                          plane.number,
+                                          {reference[0], reference[1], reference[2]},
+                                          sums);
+    if (number == 0)
       continue;
-    PlaneMoments of_tile;
-    of_tile.add (sums, reference, static_cast<std::size_t> (sums[0]));
-    moments[plane.number] += of_tile;
-    const auto squared_range = static_cast<float> (of_tile.mean().squaredNorm());
+    shiftSums (reference, sums);
+    moments[plane.number].add (sums, number);
+  }
+}
+
+/** Adds the pixels of the tile, likewise. */
+void
+PlaneAssignment::sumPixels (std::size_t size,
+                            const Eigen::Vector3f& near,
+                            std::size_t tile,
+                            const DepthNoise& noise)
+{
+  const Eigen::Vector3d reference = near.cast<double>();
+  for (const TilePlane& plane : planesOf (tile)) {
+    double sums[10];
+    const std::size_t number = sumPoints ({x_.data(), y_.data(), z_.data(), size},
+                                          ones_.data(),
+                                          tile_labels_.data(),
+                                          plane.number,
+                                          {reference[0], reference[1], reference[2]},
+                                          sums);
+    if (number == 0)
+      continue;
+    shiftSums (reference, sums);
+    moments_[plane.number].add (sums, number);
+    const double square = sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3];
+    const auto squared_range = static_cast<float> (square / (sums[0] * sums[0]));
     const float sigma = noise.sigma (squared_range);
-    weighted[plane.number] += of_tile.scaled (squared_range / (sigma * sigma));
+    weighted_moments_[plane.number].add (sums, number, squared_range / (sigma * sigma));
   }
 }
 

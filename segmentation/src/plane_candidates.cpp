@@ -26,11 +26,12 @@ PlaneAssignment::findPlanes (const PlaneSamples& samples,
                              const std::vector<Plane>& planes)
 {
   findPresentPlanes (samples, owners);
+  setEquations (planes);
   candidates_.clear();
   first_candidate_.clear();
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
     first_candidate_.push_back (candidates_.size());
-    findCandidates (samples, owners, planes, tile);
+    findCandidates (samples, owners, tile);
   }
   first_candidate_.push_back (candidates_.size());
 }
@@ -51,7 +52,7 @@ PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
     auto candidate = std::find_if (
         candidates_.begin() + static_cast<std::ptrdiff_t> (first_candidate_.back()),
         candidates_.end(),
-        [plane] (const Candidate& known) { return known.plane == plane; });
+        [plane] (const TilePlane& known) { return known.number == plane; });
     if (candidate == candidates_.end())
       candidate = candidates_.insert (candidate, {plane, 0});
     candidate->compatible =
@@ -89,22 +90,21 @@ PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
 void
 PlaneAssignment::findCandidates (const PlaneSamples& samples,
                                  const std::vector<std::int32_t>& owners,
-                                 const std::vector<Plane>& planes,
                                  std::size_t tile)
 {
   const std::size_t first = candidates_.size(), begin = tile * PlaneSamples::tile_size;
   samples.forEachTileAround (tile, [&] (std::size_t other) {
     for (std::size_t k = first_present_[other]; k < first_present_[other + 1]; ++k) {
       const std::uint32_t plane = present_[k];
-      const auto is_known = [plane] (const Candidate& candidate) {
-        return candidate.plane == plane;
+      const auto is_known = [plane] (const TilePlane& candidate) {
+        return candidate.number == plane;
       };
       if (std::any_of (candidates_.begin() + static_cast<std::ptrdiff_t> (first),
                        candidates_.end(),
                        is_known))
         continue;
-      const std::uint16_t agree = compatibleSamples (
-          samples, begin, equationOf (planes[plane]), max_min_cosine);
+      const std::uint16_t agree =
+          compatibleSamples (samples, begin, equations_[plane], max_min_cosine);
       // A crease may run between a sample and its pixels.
       candidates_.push_back ({plane, dilate (agree)});
     }

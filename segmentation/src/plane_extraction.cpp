@@ -116,7 +116,8 @@ PlaneExtraction::assign (const OrganizedPoints& points,
   fitToSamples();
   if (parameters_.additions.intersections) {
     assignment_.findIntersections (samples_, planes_, parameters_.noise, max_sigmas_);
-    assignment_.sumClearSamples (samples_, planes_, parameters_.noise, max_sigmas_);
+    assignment_.leaveOutUnclearSamples (
+        samples_, planes_, parameters_.noise, max_sigmas_);
     fitToSamples();
   }
   assignment_.assignPixels (
@@ -127,7 +128,7 @@ void
 PlaneExtraction::fitToSamples()
 {
   for (std::size_t k = 0; k < planes_.size(); ++k)
-    if (assignment_.moments()[k].points > 3)
+    if (assignment_.weightedMoments()[k].points > 3)
       planes_[k] = planeOf (assignment_.weightedMoments()[k].inverseDistance());
 }
 

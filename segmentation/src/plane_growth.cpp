@@ -203,8 +203,9 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
               claimed_.data(),
               {reference_[0], reference_[1], reference_[2]},
               sums);
+  shiftSums (reference_, sums);
   PlaneMoments moments;
-  moments.add (sums, reference_, number);
+  moments.add (sums, number);
   return moments;
 }
 

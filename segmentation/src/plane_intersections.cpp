@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -36,7 +37,17 @@ void
 PlaneIntersections::clear()
 {
   pairs_.clear();
-  found_ = false;
+  last_of_.clear();
+}
+
+/** The place of a pair a < b, or \ref none. */
+std::size_t
+PlaneIntersections::find (std::uint32_t a, std::uint32_t b) const
+{
+  std::size_t pair = a < last_of_.size() ? last_of_[a] : none;
+  while (pair != none && pairs_[pair].b != b)
+    pair = pairs_[pair].before;
+  return pair;
 }
 
 void
@@ -44,29 +55,20 @@ PlaneIntersections::add (std::uint32_t own,
                          std::uint32_t other,
                          const SideCounts& points)
 {
-  if (own < other)
-    pairs_.push_back ({own, other, points, {}, SeenPlane::unknown});
-  else
-    pairs_.push_back ({other, own, {}, points, SeenPlane::unknown});
+  const auto [a, b] = std::minmax (own, other);
+  std::size_t pair = find (a, b);
+  if (pair == none) {
+    if (a >= last_of_.size())
+      last_of_.resize (a + 1, none);
+    pair = pairs_.size();
+    pairs_.push_back ({b, std::exchange (last_of_[a], pair), {}, {}});
+  }
+  (own == a ? pairs_[pair].of_a : pairs_[pair].of_b) += points;
 }
 
 void
 PlaneIntersections::find()
 {
-  std::sort (pairs_.begin(), pairs_.end(), [] (const Pair& p, const Pair& q) {
-    return std::tie (p.a, p.b) < std::tie (q.a, q.b);
-  });
-  std::size_t number = 0;
-  for (const Pair& pair : pairs_) {
-    Pair* last = number > 0 ? &pairs_[number - 1] : nullptr;
-    if (last && last->a == pair.a && last->b == pair.b) {
-      last->of_a += pair.of_a;
-      last->of_b += pair.of_b;
-    }
-    else
-      pairs_[number++] = pair;
-  }
-  pairs_.resize (number);
   for (Pair& pair : pairs_) {
     const auto& [a, b] = std::tie (pair.of_a, pair.of_b);
     if (agree (a.nearer, a.farther) && agree (b.nearer, b.farther))
@@ -74,22 +76,13 @@ PlaneIntersections::find()
     else if (agree (a.farther, a.nearer) && agree (b.farther, b.nearer))
       pair.seen = SeenPlane::farther;
   }
-  found_ = true;
 }
 
 SeenPlane
 PlaneIntersections::between (std::uint32_t a, std::uint32_t b) const
 {
-  if (!found_)
-    return SeenPlane::unknown;
-  const auto key = std::minmax (a, b);
-  const auto pair = std::lower_bound (
-      pairs_.begin(), pairs_.end(), key, [] (const Pair& p, const auto& k) {
-        return std::tie (p.a, p.b) < std::tie (k.first, k.second);
-      });
-  const bool is_known =
-      pair != pairs_.end() && pair->a == key.first && pair->b == key.second;
-  return is_known ? pair->seen : SeenPlane::unknown;
+  const std::size_t pair = find (std::min (a, b), std::max (a, b));
+  return pair != none ? pairs_[pair].seen : SeenPlane::unknown;
 }
 
 } // namespace rgbd_planes

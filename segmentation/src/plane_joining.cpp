@@ -45,8 +45,8 @@ double
 uncertaintyAt (const PlaneMoments& a, const PlaneMoments& b)
 {
   const Eigen::Vector3d mean = b.mean();
-  const double variance = mean.dot (a.second.inverse() * mean);
-  return std::sqrt (variance * b.weight / static_cast<double> (b.points));
+  const double variance = mean.dot (a.second().inverse() * mean);
+  return std::sqrt (variance * b.weight() / static_cast<double> (b.points));
 }
 
 /** The side of the square as wide as the points, across where they reach farthest. */

@@ -136,58 +136,65 @@ loadPixels (const float* first,
 
 /** Gives each point the nearest one of \a planes, or \a none.
  * \param[in] samples the sample in the tile whose normal stands for that of the point
+ * \param[in] equations by the numbers of planes
  */
 void
 assignPoints (const PointBlock& points,
               const std::int32_t* samples,
-              const TilePlane* planes,
-              std::size_t number,
+              const TilePlanes& planes,
+              const PlaneEquation* equations,
               const DepthNoise& noise,
               float max_sigmas,
               std::uint32_t none,
               std::uint32_t* labels);
 
-/** Looks at the points with the label of \a plane that clearly lie on it, and clearly not on
+/** Looks at the points with \a label that clearly lie on \a plane, and clearly not on
  * \a other. */
 SideCounts
 countSides (const PointBlock& points,
             const std::uint32_t* labels,
-            const TilePlane& plane,
+            std::uint32_t label,
+            const PlaneEquation& plane,
             const PlaneEquation& other,
             const DepthNoise& noise,
             float max_sigmas);
 
-/** Labels anew the points of two planes that lie on both: by which one is nearer along their
+/** Labels anew the points of planes \a a and \a b that lie on both: by which one is nearer along their
  * viewing rays.
  * \param[in] seen which one they belong to
  */
 void
 splitPoints (const PointBlock& points,
-             const TilePlane& a,
-             const TilePlane& b,
+             std::uint32_t a,
+             std::uint32_t b,
+             const PlaneEquation* equations,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
              std::uint32_t* labels);
 
-/** Gives \a none to the points of \a plane near the line in which it meets \a other: where
- * the planes are not clearly apart along the viewing ray, or the other one should be seen.
+/** Gives \a none to the points with \a label near the line in which their \a plane meets
+ * \a other: where the planes are not clearly apart along the viewing ray, or the other one
+ * should be seen.
  * \param[in] seen which one is seen
  */
 void
 dropUnclear (const PointBlock& points,
-             const TilePlane& plane,
-             const TilePlane& other,
+             std::uint32_t label,
+             const PlaneEquation& plane,
+             const PlaneEquation& other,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
              std::uint32_t none,
              std::uint32_t* labels);
 
-/** Sums over the points with \a label relative to \a reference, as sumSamples(), with
- * weights of 1. */
-void
+/** Sums over the points with \a label relative to \a reference, as sumSamples().
+ * \return their number; \a sums are left as they are where there is none
+ */
+std::size_t
 sumPoints (const PointBlock& points,
+           const float* weights,
            const std::uint32_t* labels,
            std::uint32_t label,
            const double (&reference)[3],

@@ -9,6 +9,7 @@
 #include <pcl/segmentation/plane_assignment.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -26,22 +27,26 @@ PlaneAssignment::findIntersections (const PlaneSamples& samples,
                                     const DepthNoise& noise,
                                     float max_sigmas)
 {
+  setEquations (planes);
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
-    if (first_candidate_[tile + 1] < first_candidate_[tile] + 2)
-      continue;
+    const TilePlanes around = planesOf (tile);
     const std::size_t begin = tile * PlaneSamples::tile_size;
     const PointBlock points = samplesFrom (samples, begin);
-    findTilePlanes (planes, tile);
     const std::uint32_t* labels = &sample_labels_[begin];
-    for (const TilePlane& plane : tile_planes_) {
+    for (const TilePlane& plane : around) {
       const auto is_own = [&] (std::uint32_t label) { return label == plane.number; };
-      if (samplesWhere (labels, is_own) == 0)
+      if (around.size() < 2 || samplesWhere (labels, is_own) == 0)
         continue;
-      for (const TilePlane& other : tile_planes_) {
+      for (const TilePlane& other : around) {
         if (plane.number == other.number)
           continue;
-        const SideCounts counts =
-            countSides (points, labels, plane, other.equation, noise, max_sigmas);
+        const SideCounts counts = countSides (points,
+                                              labels,
+                                              plane.number,
+                                              equations_[plane.number],
+                                              equations_[other.number],
+                                              noise,
+                                              max_sigmas);
         if (counts.nearer + counts.farther > 0)
           intersections_.add (plane.number, other.number, counts);
       }
@@ -51,55 +56,80 @@ PlaneAssignment::findIntersections (const PlaneSamples& samples,
 }
 
 void
-PlaneAssignment::sumClearSamples (const PlaneSamples& samples,
-                                  const std::vector<Plane>& planes,
-                                  const DepthNoise& noise,
-                                  float max_sigmas)
+PlaneAssignment::leaveOutUnclearSamples (const PlaneSamples& samples,
+                                         const std::vector<Plane>& planes,
+                                         const DepthNoise& noise,
+                                         float max_sigmas)
 {
-  clear_moments_.assign (planes.size(), PlaneMoments{});
-  clear_weighted_moments_.assign (planes.size(), PlaneMoments{});
+  setEquations (planes);
+  unclear_moments_.assign (planes.size(), PlaneMoments{});
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
-    if (first_candidate_[tile] == first_candidate_[tile + 1])
-      continue;
-    const std::size_t begin = tile * PlaneSamples::tile_size;
-    const PointBlock points = samplesFrom (samples, begin);
-    findTilePlanes (planes, tile);
-    std::copy_n (&sample_labels_[begin], PlaneSamples::tile_size, tile_labels_.begin());
-    for (const TilePlane& plane : tile_planes_)
-      for (const TilePlane& other : tile_planes_) {
-        const SeenPlane seen = intersections_.between (plane.number, other.number);
-        if (seen != SeenPlane::unknown)
-          dropUnclear (points,
-                       plane,
-                       other,
-                       noise,
-                       max_sigmas,
-                       seen,
-                       unlabelled,
-                       tile_labels_.data());
-      }
-    sumTile (points, samples, tile, noise, clear_moments_, clear_weighted_moments_);
+    const PointBlock points = samplesFrom (samples, tile * PlaneSamples::tile_size);
+    if (findUnclear (points, tile, noise, max_sigmas))
+      sumSamples (samples, tile, unclear_moments_);
   }
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    const auto clear = static_cast<double> (clear_moments_[k].points);
-    if (clear < min_clear_share * static_cast<double> (moments_[k].points))
-      continue;
-    moments_[k] = clear_moments_[k];
-    weighted_moments_[k] = clear_weighted_moments_[k];
+    PlaneMoments& moments = weighted_moments_[k];
+    const std::size_t clear = moments.points - unclear_moments_[k].points;
+    if (static_cast<double> (clear) >=
+        min_clear_share * static_cast<double> (moments.points))
+      moments -= unclear_moments_[k];
   }
+}
+
+/** Leaves the labels of the samples of a tile that are near a line of intersection, and no
+ * others. */
+bool
+PlaneAssignment::findUnclear (const PointBlock& points,
+                              std::size_t tile,
+                              const DepthNoise& noise,
+                              float max_sigmas)
+{
+  const std::uint32_t* own = &sample_labels_[tile * PlaneSamples::tile_size];
+  bool is_any = false;
+  const TilePlanes around = planesOf (tile);
+  for (const TilePlane& plane : around)
+    for (const TilePlane& other : around) {
+      const SeenPlane seen = intersections_.between (plane.number, other.number);
+      if (seen == SeenPlane::unknown)
+        continue;
+      if (!std::exchange (is_any, true))
+        std::copy_n (own, PlaneSamples::tile_size, tile_labels_.begin());
+      dropUnclear (points,
+                   plane.number,
+                   equations_[plane.number],
+                   equations_[other.number],
+                   noise,
+                   max_sigmas,
+                   seen,
+                   unlabelled,
+                   tile_labels_.data());
+    }
+  for (std::size_t k = 0; is_any && k < PlaneSamples::tile_size; ++k)
+    tile_labels_[k] = tile_labels_[k] == unlabelled ? own[k] : unlabelled;
+  return is_any;
 }
 
 /** Gives points on two planes that meet to the one on their side. */
 void
 PlaneAssignment::splitTile (const PointBlock& points,
+                            std::size_t tile,
                             const DepthNoise& noise,
                             float max_sigmas)
 {
-  for (auto a = tile_planes_.begin(); a != tile_planes_.end(); ++a)
-    for (auto b = a + 1; b != tile_planes_.end(); ++b) {
+  const TilePlanes around = planesOf (tile);
+  for (const TilePlane* a = around.begin(); a != around.end(); ++a)
+    for (const TilePlane* b = a + 1; b != around.end(); ++b) {
       const SeenPlane seen = intersections_.between (a->number, b->number);
       if (seen != SeenPlane::unknown)
-        splitPoints (points, *a, *b, noise, max_sigmas, seen, tile_labels_.data());
+        splitPoints (points,
+                     a->number,
+                     b->number,
+                     equations_.data(),
+                     noise,
+                     max_sigmas,
+                     seen,
+                     tile_labels_.data());
     }
 }
 

@@ -29,9 +29,31 @@ struct PlaneEquation {
 /** A plane that the points of a tile may lie on. */
 struct TilePlane {
   std::uint32_t number;
-  PlaneEquation equation;
   /** For each sample of the tile, a bit: its normal agrees with that of the plane. */
   std::uint16_t compatible;
+};
+
+/** All of them, in a row. */
+struct TilePlanes {
+  const TilePlane *first = nullptr, *last = nullptr;
+
+  const TilePlane*
+  begin () const
+  {
+    return first;
+  }
+
+  const TilePlane*
+  end () const
+  {
+    return last;
+  }
+
+  std::size_t
+  size () const
+  {
+    return static_cast<std::size_t> (last - first);
+  }
 };
 
 /** \brief The label of points that lie on no plane. */
@@ -87,10 +109,10 @@ public:
    * plane that is seen at a grazing angle.
    */
   void
-  sumClearSamples (const PlaneSamples& samples,
-                   const std::vector<Plane>& planes,
-                   const DepthNoise& noise,
-                   float max_sigmas);
+  leaveOutUnclearSamples (const PlaneSamples& samples,
+                          const std::vector<Plane>& planes,
+                          const DepthNoise& noise,
+                          float max_sigmas);
 
   /** \brief Assigns all points.
    * \param[in] selected not 0 for the points to look at; empty for all
@@ -116,7 +138,8 @@ public:
     return labels_;
   }
 
-  /** \brief Sums over the points of each plane, with weights of 1. */
+  /** \brief After all points were assigned, sums over those of each plane, with weights of
+   * 1. */
   const std::vector<PlaneMoments>&
   moments () const
   {
@@ -124,7 +147,7 @@ public:
   }
 
   /** \brief The same, weighted as PlaneMoments says, with the same weight for all points
-   * of a plane in a tile. */
+   * of a plane in a tile; after samples alone were assigned, sums over these. */
   const std::vector<PlaneMoments>&
   weightedMoments () const
   {
@@ -148,13 +171,6 @@ private:
     std::size_t known = 0, near = 0;
   };
 
-  /** A plane that the points of a tile may lie on, and a bit for each sample of the tile
-   * whose normal agrees. */
-  struct Candidate {
-    std::uint32_t plane;
-    std::uint16_t compatible;
-  };
-
   /** The pixels of a tile, row by row: their places from the first one of the tile on,
    * and in which samples' cells they lie. */
   struct TilePixels {
@@ -171,8 +187,13 @@ private:
   void
   findCandidates (const PlaneSamples& samples,
                   const std::vector<std::int32_t>& owners,
-                  const std::vector<Plane>& planes,
                   std::size_t tile);
+
+  bool
+  findUnclear (const PointBlock& points,
+               std::size_t tile,
+               const DepthNoise& noise,
+               float max_sigmas);
 
   void
   layOutTiles (const PlaneSamples& samples, const OrganizedPoints& points);
@@ -184,48 +205,57 @@ private:
             std::size_t first);
 
   void
-  compareNormals (const PlaneSamples& samples,
-                  const std::vector<Plane>& planes,
-                  std::size_t tile);
+  compareNormals (const PlaneSamples& samples, std::size_t tile);
 
   void
-  findTilePlanes (const std::vector<Plane>& planes, std::size_t tile);
+  setEquations (const std::vector<Plane>& planes);
+
+  TilePlanes
+  planesOf (std::size_t tile) const
+  {
+    return {candidates_.data() + first_candidate_[tile],
+            candidates_.data() + first_candidate_[tile + 1]};
+  }
 
   void
-  splitTile (const PointBlock& points, const DepthNoise& noise, float max_sigmas);
+  splitTile (const PointBlock& points,
+             std::size_t tile,
+             const DepthNoise& noise,
+             float max_sigmas);
 
   void
   assignTile (const PointBlock& points,
               const std::int32_t* samples_of_points,
-              const PlaneSamples& samples,
               std::size_t tile,
-              const std::vector<Plane>& planes,
               const DepthNoise& noise,
               float max_sigmas);
 
   void
-  sumTile (const PointBlock& points,
-           const PlaneSamples& samples,
-           std::size_t tile,
-           const DepthNoise& noise,
-           std::vector<PlaneMoments>& moments,
-           std::vector<PlaneMoments>& weighted) const;
+  sumSamples (const PlaneSamples& samples,
+              std::size_t tile,
+              std::vector<PlaneMoments>& moments) const;
+
+  void
+  sumPixels (std::size_t size,
+             const Eigen::Vector3f& near,
+             std::size_t tile,
+             const DepthNoise& noise);
 
   /** Planes with enough samples in each tile: present_[first_present_[t] ...
    * first_present_[t + 1]); candidates likewise. */
   std::vector<std::uint32_t> present_;
-  std::vector<Candidate> candidates_;
+  std::vector<TilePlane> candidates_;
   std::vector<std::size_t> first_present_, first_candidate_;
   /** Of tiles inside of the image, and at its right, its lower, and both borders. */
   std::array<TilePixels, 4> layouts_;
   int image_width_ = 0, image_height_ = 0;
-  /** The candidates, the points of a tile, and their labels. */
-  std::vector<TilePlane> tile_planes_;
-  std::vector<float> x_, y_, z_;
+  std::vector<PlaneEquation> equations_;
+  /** The points of a tile, and their labels. */
+  std::vector<float> x_, y_, z_, ones_;
   std::vector<std::uint32_t> tile_labels_, sample_labels_;
   std::vector<std::uint32_t> labels_;
   std::vector<PlaneMoments> moments_, weighted_moments_;
-  std::vector<PlaneMoments> clear_moments_, clear_weighted_moments_;
+  std::vector<PlaneMoments> unclear_moments_;
   std::vector<Normals> normals_;
   PlaneIntersections intersections_;
 };

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -52,15 +53,23 @@ public:
   between (std::uint32_t a, std::uint32_t b) const;
 
 private:
-  /** Two planes a < b, and points on either. */
+  static constexpr auto none = std::numeric_limits<std::size_t>::max();
+
+  /** Two planes a < b, the pair of the same a that was added before, and points on
+   * either. */
   struct Pair {
-    std::uint32_t a, b;
+    std::uint32_t b;
+    std::size_t before;
     SideCounts of_a, of_b;
-    SeenPlane seen;
+    SeenPlane seen = SeenPlane::unknown;
   };
 
+  std::size_t
+  find (std::uint32_t a, std::uint32_t b) const;
+
   std::vector<Pair> pairs_;
-  bool found_ = false;
+  /** The pair of each a that was added last. */
+  std::vector<std::size_t> last_of_;
 };
 
 } // namespace rgbd_planes

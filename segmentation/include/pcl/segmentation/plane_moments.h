@@ -24,6 +24,24 @@ struct Plane {
   }
 };
 
+/** \brief Turns sums over points relative to \a reference, in the order of
+ * PlaneMoments::sums, into sums over the points themselves. */
+inline void
+shiftSums (const Eigen::Vector3d& reference, double (&sums)[10])
+{
+  const double x = reference[0], y = reference[1], z = reference[2];
+  const double w = sums[0], wx = sums[1], wy = sums[2], wz = sums[3];
+  sums[1] += w * x;
+  sums[2] += w * y;
+  sums[3] += w * z;
+  sums[4] += x * (wx + sums[1]);
+  sums[5] += x * wy + y * sums[1];
+  sums[6] += x * wz + z * sums[1];
+  sums[7] += y * (wy + sums[2]);
+  sums[8] += y * wz + z * sums[2];
+  sums[9] += z * (wz + sums[3]);
+}
+
 /** \brief Weighted sums of points, their coordinates and products: all that a
  * least-squares plane needs.
  *
@@ -34,64 +52,83 @@ struct Plane {
  * deviations, and the best m solves three linear equations.
  */
 struct PlaneMoments {
-  double weight = 0.;
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  /** Of 1, x, y, z, xx, xy, xz, yy, yz and zz. */
+  double sums[10] = {};
   std::size_t points = 0;
 
   void
   add (const float* p, double w)
   {
-    const Eigen::Vector3d q (p[0], p[1], p[2]);
-    weight += w;
-    first += w * q;
-    second += w * q * q.transpose();
-    ++points;
+    const double x = p[0], y = p[1], z = p[2];
+    const double of_point[10] = {w,
+                                 w * x,
+                                 w * y,
+                                 w * z,
+                                 w * x * x,
+                                 w * x * y,
+                                 w * x * z,
+                                 w * y * y,
+                                 w * y * z,
+                                 w * z * z};
+    add (of_point, 1);
   }
 
-  /** \brief Adds sums over points relative to \a reference: of 1, x, y, z, xx, xy, xz,
-   * yy, yz and zz. */
+  /** \brief Adds sums over so many points, \a factor times. */
   void
-  add (const double (&sums)[10], const Eigen::Vector3d& reference, std::size_t number)
+  add (const double (&others)[10], std::size_t number, double factor = 1.)
   {
-    const Eigen::Vector3d f (sums[1], sums[2], sums[3]);
-    Eigen::Matrix3d s;
-    s << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8],
-        sums[9];
-    weight += sums[0];
-    first += f + sums[0] * reference;
-    second += s + reference * f.transpose() + f * reference.transpose() +
-              sums[0] * reference * reference.transpose();
+    for (int k = 0; k < 10; ++k)
+      sums[k] += factor * others[k];
     points += number;
   }
 
   PlaneMoments&
   operator+= (const PlaneMoments& other)
   {
-    weight += other.weight;
-    first += other.first;
-    second += other.second;
-    points += other.points;
+    add (other.sums, other.points);
     return *this;
   }
 
-  /** \brief The same points, with weights \a factor times as large. */
-  PlaneMoments
-  scaled (double factor) const
+  PlaneMoments&
+  operator-= (const PlaneMoments& other)
   {
-    return {factor * weight, factor * first, factor * second, points};
+    for (int k = 0; k < 10; ++k)
+      sums[k] -= other.sums[k];
+    points -= other.points;
+    return *this;
+  }
+
+  double
+  weight () const
+  {
+    return sums[0];
+  }
+
+  Eigen::Vector3d
+  first () const
+  {
+    return {sums[1], sums[2], sums[3]};
+  }
+
+  Eigen::Matrix3d
+  second () const
+  {
+    Eigen::Matrix3d result;
+    result << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8],
+        sums[9];
+    return result;
   }
 
   Eigen::Vector3d
   mean () const
   {
-    return first / weight;
+    return first() / weight();
   }
 
   Eigen::Matrix3d
   covariance () const
   {
-    return second / weight - mean() * mean().transpose();
+    return second() / weight() - mean() * mean().transpose();
   }
 
   /** \brief The best m of the plane m * p = 1; not finite where points determine none.
@@ -99,14 +136,14 @@ struct PlaneMoments {
   Eigen::Vector3d
   inverseDistance () const
   {
-    return second.inverse() * first;
+    return second().inverse() * first();
   }
 
   /** \brief The weighted sum of the squares of m * p - 1. */
   double
   squaredErrors (const Eigen::Vector3d& m) const
   {
-    return m.dot (second * m) - 2. * m.dot (first) + weight;
+    return m.dot (second() * m) - 2. * m.dot (first()) + weight();
   }
 
   /** \brief The mean of the squares of the errors of the points on m * p = 1, in squared
@@ -121,7 +158,8 @@ struct PlaneMoments {
   double
   meanError (const Eigen::Vector3d& m) const
   {
-    return (m.dot (first) - weight) / std::sqrt (weight * static_cast<double> (points));
+    return (m.dot (first()) - weight()) /
+           std::sqrt (weight() * static_cast<double> (points));
   }
 
   /** \brief The sum, weighted, of squared distances to \a plane. */
@@ -130,7 +168,7 @@ struct PlaneMoments {
   {
     const Eigen::Vector3d n = plane.normal.cast<double>();
     const double d = plane.d;
-    return n.dot (second * n) + 2. * d * n.dot (first) + d * d * weight;
+    return n.dot (second() * n) + 2. * d * n.dot (first()) + d * d * weight();
   }
 };
 
@@ -152,7 +190,7 @@ parameterCovariance (const PlaneMoments& moments, const Eigen::Vector3d& m)
   Eigen::Matrix<double, 4, 3> derivative;
   derivative.topRows<3>() = -d * (Eigen::Matrix3d::Identity() - n * n.transpose());
   derivative.bottomRows<1>() = d * d * n.transpose();
-  return derivative * moments.second.inverse() * derivative.transpose();
+  return derivative * moments.second().inverse() * derivative.transpose();
 }
 
 } // namespace rgbd_planes
