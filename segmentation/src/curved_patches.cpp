@@ -47,12 +47,13 @@ lookBeside (const PlaneSamples& samples,
 void
 CurvedPatches::find (const PlaneSamples& samples,
                      const std::vector<std::int32_t>& owners,
+                     const std::vector<TilePart>& parts,
                      const std::vector<Plane>& planes,
                      const DepthNoise& noise,
                      float max_sigmas)
 {
-  findParts (owners, planes.size());
-  for (const Part& part : parts_) {
+  borders_.assign (planes.size(), {});
+  for (const TilePart& part : parts) {
     const unsigned beside = dilate (part.own) & ~part.own & 0xffffu;
     if (beside == 0)
       continue;
@@ -67,36 +68,13 @@ CurvedPatches::find (const PlaneSamples& samples,
   is_patch_.resize (planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k)
     is_patch_[k] = goesOnAndTurns (
-        samples, static_cast<std::uint32_t> (k), planes[k], noise, max_sigmas);
-}
-
-/** Lists what each plane has in each tile, and sets all borders to nothing. */
-void
-CurvedPatches::findParts (const std::vector<std::int32_t>& owners, std::size_t planes)
-{
-  parts_.clear();
-  borders_.assign (planes, {});
-  for (std::size_t begin = 0; begin < owners.size(); begin += PlaneSamples::tile_size) {
-    const std::int32_t* tile = &owners[begin];
-    unsigned rest = 0xffff;
-    for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k) {
-      if (tile[k] < 0 || !(rest >> k & 1u))
-        continue;
-      const std::uint16_t own =
-          samplesWhere (tile, [&] (std::int32_t owner) { return owner == tile[k]; });
-      rest &= ~static_cast<unsigned> (own);
-      parts_.push_back ({static_cast<std::uint32_t> (tile[k]),
-                         static_cast<std::uint32_t> (begin / PlaneSamples::tile_size),
-                         own});
-      if (rest == 0)
-        break;
-    }
-  }
+        samples, parts, static_cast<std::uint32_t> (k), planes[k], noise, max_sigmas);
 }
 
 /** Whether the surface goes on beside the plane, and turns on both together. */
 bool
 CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
+                               const std::vector<TilePart>& parts,
                                std::uint32_t number,
                                const Plane& plane,
                                const DepthNoise& noise,
@@ -106,7 +84,7 @@ CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
   if (static_cast<double> (border.continued) <
       std::max (min_continued * static_cast<double> (border.samples), 1.))
     return false;
-  findTiles (samples, number);
+  findTiles (samples, parts, number);
   const Eigen::Vector3d reference =
       samples.measuredPoint (tiles_.front()).cast<double>();
   const auto turnWhere = [&] (const auto& samplesOf) {
@@ -137,7 +115,9 @@ CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
 
 /** The tiles of a plane, what it has in them, and the tiles around. */
 void
-CurvedPatches::findTiles (const PlaneSamples& samples, std::uint32_t plane)
+CurvedPatches::findTiles (const PlaneSamples& samples,
+                          const std::vector<TilePart>& parts,
+                          std::uint32_t plane)
 {
   weights_.resize (samples.size());
   own_.assign (samples.tiles(), 0);
@@ -147,7 +127,7 @@ CurvedPatches::findTiles (const PlaneSamples& samples, std::uint32_t plane)
     if (!std::exchange (is_listed_[tile], std::uint8_t{1}))
       tiles_.push_back (tile);
   };
-  for (const Part& part : parts_)
+  for (const TilePart& part : parts)
     if (part.plane == plane) {
       own_[part.tile] = part.own;
       list (part.tile);

@@ -48,7 +48,7 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
   const auto& normals = normal_clusters.meanNormals();
   labels_ = normal_clusters.labels();
   points_.assign (normals.size(), 0);
-  for (const std::uint32_t i : normal_clusters.clustered())
+  for (const std::uint32_t i : samples.seeds)
     if (labels_[i] != NormalSpaceClusters::none)
       ++points_[static_cast<std::size_t> (labels_[i])];
   histogram_of_.assign (normals.size(), NormalSpaceClusters::none);
@@ -58,7 +58,7 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
       histogram_of_[k] = static_cast<std::int32_t> (histograms++);
 
   bins_.assign (histograms * bins_per_histogram, 0);
-  for (const std::uint32_t i : normal_clusters.clustered()) {
+  for (const std::uint32_t i : samples.seeds) {
     if (labels_[i] == NormalSpaceClusters::none)
       continue;
     const auto cluster = static_cast<std::size_t> (labels_[i]);
@@ -85,7 +85,7 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
       else
         mergeNeighbours (histogram, static_cast<std::int32_t> (k));
     }
-  for (const std::uint32_t i : normal_clusters.clustered())
+  for (const std::uint32_t i : samples.seeds)
     if (labels_[i] != NormalSpaceClusters::none)
       labels_[i] = cluster_of_bin_[static_cast<std::size_t> (labels_[i])];
 }
@@ -94,8 +94,12 @@ void
 DistanceSpaceClusters::splitAtMinima (std::size_t histogram,
                                       std::int32_t normal_cluster)
 {
-  const std::size_t begin = histogram * bins_per_histogram;
-  const std::size_t end = begin + bins_per_histogram;
+  std::size_t begin = histogram * bins_per_histogram;
+  std::size_t end = begin + bins_per_histogram;
+  while (begin < end && bins_[begin] == 0)
+    ++begin;
+  while (end > begin && bins_[end - 1] == 0)
+    --end;
   const auto smoothed = [&] (std::size_t i) {
     return 2 * bins_[i] + (i > begin ? bins_[i - 1] : 0) +
            (i + 1 < end ? bins_[i + 1] : 0);

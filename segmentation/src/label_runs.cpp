@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "plane_kernels.h"
+
 #include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/plane_assignment.h>
 
@@ -9,28 +11,6 @@
 
 namespace pcl {
 namespace rgbd_planes {
-
-namespace {
-
-/** The first of the labels up to \a end that differs from the first one. */
-const std::uint32_t*
-endOfRun (const std::uint32_t* begin, const std::uint32_t* end)
-{
-  constexpr std::ptrdiff_t at_once = 8;
-  const std::uint32_t label = *begin;
-  for (; end - begin >= at_once; begin += at_once) {
-    std::uint32_t difference = 0;
-    for (std::ptrdiff_t k = 0; k < at_once; ++k)
-      difference |= begin[k] ^ label;
-    if (difference != 0)
-      break;
-  }
-  while (begin != end && *begin == label)
-    ++begin;
-  return begin;
-}
-
-} // namespace
 
 void
 LabelRuns::find (std::vector<std::uint32_t>& labels,
@@ -45,8 +25,7 @@ LabelRuns::find (std::vector<std::uint32_t>& labels,
     rows_.push_back (runs_.size());
     for (std::size_t begin = row, end; begin < row + width; begin = end) {
       const std::uint32_t label = labels[begin];
-      end = static_cast<std::size_t> (
-          endOfRun (&labels[begin], labels.data() + row + width) - labels.data());
+      end = begin + lengthOfRun (&labels[begin], row + width - begin);
       if (label == unlabelled)
         continue;
       const std::uint32_t number = numbers[label];

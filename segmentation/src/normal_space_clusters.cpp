@@ -59,7 +59,7 @@ NormalSpaceClusters::compute (const PlaneSamples& samples,
     addNeighboursOfVoxels();
   else
     addNeighboursOnSphere();
-  finishMerging (angular_threshold);
+  finishMerging (samples, angular_threshold);
 }
 
 /** Circles of latitude are as wide as cells; towards the poles they hold fewer cells. */
@@ -84,8 +84,7 @@ NormalSpaceClusters::fillGrid (const PlaneSamples& samples,
 {
   grid_.assign (cells, Cell{});
   labels_.assign (samples.size(), none);
-  samples.findClustered (clustered_);
-  for (const std::uint32_t i : clustered_) {
+  for (const std::uint32_t i : samples.seeds) {
     const float x = samples.normal_x[i], y = samples.normal_y[i],
                 z = samples.normal_z[i];
     const int cell = cell_of (x, y, z);
@@ -104,7 +103,7 @@ NormalSpaceClusters::startMerging (std::size_t min_cell_points)
   for (std::size_t i = 0; i < grid_.size(); ++i)
     if (grid_[i].points >= min_cell_points) {
       cluster_of_cell_[i] = static_cast<std::int32_t> (cells_.size());
-      cells_.push_back (grid_[i]);
+      cells_.push_back ({grid_[i].sum, grid_[i].sum.normalized()});
     }
   merging_.reset (cells_);
 }
@@ -157,24 +156,25 @@ NormalSpaceClusters::addNeighboursOnSphere()
 }
 
 void
-NormalSpaceClusters::finishMerging (float angular_threshold)
+NormalSpaceClusters::finishMerging (const PlaneSamples& samples,
+                                    float angular_threshold)
 {
   // The length of the chord between unit vectors grows with their angle.
   const float max_chord = 2.f * std::sin (0.5f * angular_threshold);
-  merging_.merge (max_chord, [] (const Cell& a, const Cell& b) {
-    return (a.sum.normalized() - b.sum.normalized()).norm();
+  merging_.merge (max_chord, [] (const Cluster& a, const Cluster& b) {
+    return (a.mean_normal - b.mean_normal).norm();
   });
   mean_normals_.clear();
   numbers_.assign (cells_.size(), none);
   for (std::size_t i = 0; i < cells_.size(); ++i)
     if (merging_.find (i) == i) {
       numbers_[i] = static_cast<std::int32_t> (mean_normals_.size());
-      mean_normals_.push_back (merging_[i].sum.normalized());
+      mean_normals_.push_back (merging_[i].mean_normal);
     }
   for (std::int32_t& cluster : cluster_of_cell_)
     if (cluster != none)
       cluster = numbers_[merging_.find (static_cast<std::size_t> (cluster))];
-  for (const std::uint32_t i : clustered_)
+  for (const std::uint32_t i : samples.seeds)
     labels_[i] = cluster_of_cell_[static_cast<std::size_t> (labels_[i])];
 }
 

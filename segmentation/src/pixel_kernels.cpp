@@ -153,6 +153,22 @@ sumPointsHere (const PointBlock& points,
   return number;
 }
 
+std::size_t
+lengthOfRunHere (const std::uint32_t* labels, std::size_t size)
+{
+  const auto label = setInts (*labels);
+  std::size_t i = 0;
+  for (; i + hn::Lanes (Ints()) <= size; i += hn::Lanes (Ints())) {
+    const auto differs = hn::Not (hn::Eq (loadInts (labels + i), label));
+    const auto first = hn::FindFirstTrue (Ints(), differs);
+    if (first >= 0)
+      return i + static_cast<std::size_t> (first);
+  }
+  while (i < size && labels[i] == *labels)
+    ++i;
+  return i;
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace rgbd_planes
 } // namespace pcl
@@ -165,6 +181,7 @@ namespace rgbd_planes {
 HWY_EXPORT (loadPixelsHere);
 HWY_EXPORT (assignPointsHere);
 HWY_EXPORT (sumPointsHere);
+HWY_EXPORT (lengthOfRunHere);
 
 void
 loadPixels (const float* first,
@@ -202,6 +219,12 @@ sumPoints (const PointBlock& points,
 {
   return HWY_DYNAMIC_DISPATCH (sumPointsHere) (
       points, weights, labels, label, reference, sums);
+}
+
+std::size_t
+lengthOfRun (const std::uint32_t* labels, std::size_t size)
+{
+  return HWY_DYNAMIC_DISPATCH (lengthOfRunHere) (labels, size);
 }
 
 } // namespace rgbd_planes

@@ -23,9 +23,10 @@ constexpr float max_min_cosine = 0.82f;
 void
 PlaneAssignment::findPlanes (const PlaneSamples& samples,
                              const std::vector<std::int32_t>& owners,
+                             const std::vector<TilePart>& parts,
                              const std::vector<Plane>& planes)
 {
-  findPresentPlanes (samples, owners);
+  findPresentPlanes (samples.tiles(), parts);
   setEquations (planes);
   candidates_.clear();
   first_candidate_.clear();
@@ -62,28 +63,17 @@ PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
 }
 
 void
-PlaneAssignment::findPresentPlanes (const PlaneSamples& samples,
-                                    const std::vector<std::int32_t>& owners)
+PlaneAssignment::findPresentPlanes (std::size_t tiles,
+                                    const std::vector<TilePart>& parts)
 {
   present_.clear();
   first_present_.clear();
-  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
-    first_present_.push_back (present_.size());
-    std::int32_t own[PlaneSamples::tile_size];
-    std::copy_n (&owners[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, own);
-    if (std::all_of (
-            own, std::end (own), [&] (std::int32_t o) { return o == own[0]; })) {
-      if (own[0] >= 0)
-        present_.push_back (static_cast<std::uint32_t> (own[0]));
-      continue;
-    }
-    std::sort (own, std::end (own));
-    for (std::size_t k = 0; k + min_samples_in_tile <= PlaneSamples::tile_size; ++k)
-      if (own[k] >= 0 && own[k] == own[k + min_samples_in_tile - 1] &&
-          (k == 0 || own[k - 1] != own[k]))
-        present_.push_back (static_cast<std::uint32_t> (own[k]));
+  for (const TilePart& part : parts) {
+    first_present_.resize (part.tile + 1, present_.size());
+    if (count (part.own) >= min_samples_in_tile)
+      present_.push_back (part.plane);
   }
-  first_present_.push_back (present_.size());
+  first_present_.resize (tiles + 1, present_.size());
 }
 
 /** The planes of the tile and of the eight around it. */

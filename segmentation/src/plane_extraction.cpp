@@ -110,7 +110,7 @@ PlaneExtraction::assign (const OrganizedPoints& points,
         points, selected, samples_, planes_, parameters_.noise, any_sigmas);
     return;
   }
-  assignment_.findPlanes (samples_, owners_, planes_);
+  assignment_.findPlanes (samples_, owners_, parts_, planes_);
   // Samples near a crease may lie nearer to the plane on its other side.
   assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
   fitToSamples();
@@ -144,6 +144,8 @@ PlaneExtraction::findParts()
   auto start = std::chrono::steady_clock::now();
   const int rounds = parameters_.additions.repeat ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
+    if (round > 0)
+      samples_.dropTakenSeeds();
     const double angular_threshold =
         parameters_.angular_threshold * (round == 0 ? 1. : scatter_of_rest);
     normal_clusters_.compute (
@@ -152,7 +154,7 @@ PlaneExtraction::findParts()
     distance_clusters_.compute (
         samples_, normal_clusters_, min_candidate, parameters_.additions.peaks);
     components_.compute (samples_,
-                         normal_clusters_.clustered(),
+                         samples_.seeds,
                          distance_clusters_.labels(),
                          min_candidate,
                          parameters_.additions.parts);
@@ -192,6 +194,7 @@ PlaneExtraction::joinParts()
   joining_.compute (growth_.moments(), parameters_.additions.joining);
   owners_ = growth_.owners();
   giveToJoined();
+  findTileParts (owners_, parts_);
   if (parameters_.additions.steps) {
     const double min_side =
         min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
@@ -199,17 +202,21 @@ PlaneExtraction::joinParts()
                     static_cast<std::size_t> (std::ceil (min_side)),
                     max_sigmas_,
                     owners_,
+                    parts_,
                     moments_);
   }
   if (parameters_.additions.strips) {
     joining_.computeStrips (moments_);
-    giveToJoined();
+    if (joining_.planes().size() < moments_.size()) {
+      giveToJoined();
+      findTileParts (owners_, parts_);
+    }
   }
   planes_.clear();
   for (const PlaneMoments& moments : moments_)
     planes_.push_back (planeOf (moments.inverseDistance()));
   if (parameters_.additions.patches)
-    patches_.find (samples_, owners_, planes_, parameters_.noise, max_sigmas_);
+    patches_.find (samples_, owners_, parts_, planes_, parameters_.noise, max_sigmas_);
 }
 
 /** Samples go to the planes that their own ones were joined to. */

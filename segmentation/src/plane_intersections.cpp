@@ -40,16 +40,6 @@ PlaneIntersections::clear()
   last_of_.clear();
 }
 
-/** The place of a pair a < b, or \ref none. */
-std::size_t
-PlaneIntersections::find (std::uint32_t a, std::uint32_t b) const
-{
-  std::size_t pair = a < last_of_.size() ? last_of_[a] : none;
-  while (pair != none && pairs_[pair].b != b)
-    pair = pairs_[pair].before;
-  return pair;
-}
-
 void
 PlaneIntersections::add (std::uint32_t own,
                          std::uint32_t other,
@@ -61,7 +51,7 @@ PlaneIntersections::add (std::uint32_t own,
     if (a >= last_of_.size())
       last_of_.resize (a + 1, none);
     pair = pairs_.size();
-    pairs_.push_back ({b, std::exchange (last_of_[a], pair), {}, {}});
+    pairs_.push_back ({a, b, std::exchange (last_of_[a], pair), {}, {}});
   }
   (own == a ? pairs_[pair].of_a : pairs_[pair].of_b) += points;
 }
@@ -69,20 +59,20 @@ PlaneIntersections::add (std::uint32_t own,
 void
 PlaneIntersections::find()
 {
+  last_of_.assign (last_of_.size(), none);
+  std::size_t known = 0;
   for (Pair& pair : pairs_) {
     const auto& [a, b] = std::tie (pair.of_a, pair.of_b);
     if (agree (a.nearer, a.farther) && agree (b.nearer, b.farther))
       pair.seen = SeenPlane::nearer;
     else if (agree (a.farther, a.nearer) && agree (b.farther, b.nearer))
       pair.seen = SeenPlane::farther;
+    else
+      continue;
+    pair.before = std::exchange (last_of_[pair.a], known);
+    pairs_[known++] = pair;
   }
-}
-
-SeenPlane
-PlaneIntersections::between (std::uint32_t a, std::uint32_t b) const
-{
-  const std::size_t pair = find (std::min (a, b), std::max (a, b));
-  return pair != none ? pairs_[pair].seen : SeenPlane::unknown;
+  pairs_.resize (known);
 }
 
 } // namespace rgbd_planes

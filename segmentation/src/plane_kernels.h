@@ -34,10 +34,10 @@ constexpr float max_squared_range = 1e18f;
  * viewing ray; seen flatter than this cosine, a plane gets no nearer. */
 constexpr float min_view_cosine = 0.1f;
 
-/** From the points of \a samples, (0, 0, 0) where there is none, the standard deviations
- * and weights, and the least cosines of those that are not negative. */
+/** From the points of \a samples, (0, 0, 0) where there is none, their normals and
+ * curvatures, fills in all else; normals that are none become (0, 0, 0). */
 void
-fillUncertainties (PlaneSamples& samples, const DepthNoise& noise);
+judgeSamples (PlaneSamples& samples, const DepthNoise& noise, float maximum_curvature);
 
 /** Marks the free samples of \a tile that lie on a plane and whose normals agree.
  * \param[out] claimed the weight of each sample of the tile that does, 0 for others
@@ -199,6 +199,11 @@ sumPoints (const PointBlock& points,
            std::uint32_t label,
            const double (&reference)[3],
            double (&sums)[10]);
+
+/** How many of \a size labels, one or more, are the same as the first one up to the first
+ * that differs. */
+std::size_t
+lengthOfRun (const std::uint32_t* labels, std::size_t size);
 
 } // namespace rgbd_planes
 } // namespace pcl

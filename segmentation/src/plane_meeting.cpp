@@ -91,7 +91,7 @@ PlaneAssignment::findUnclear (const PointBlock& points,
   for (const TilePlane& plane : around)
     for (const TilePlane& other : around) {
       const SeenPlane seen = intersections_.between (plane.number, other.number);
-      if (seen == SeenPlane::unknown)
+      if (plane.number == other.number || seen == SeenPlane::unknown)
         continue;
       if (!std::exchange (is_any, true))
         std::copy_n (own, PlaneSamples::tile_size, tile_labels_.begin());

@@ -16,8 +16,6 @@ namespace {
 /** Samples along the longer side of large images and of small ones, about. */
 constexpr int samples_of_large = 160, samples_of_small = 107;
 constexpr int large_side = 480;
-/** Normals with more than this part of the largest curvature are not trusted. */
-constexpr float trusted_share = 0.5f;
 
 int
 stepOf (int side)
@@ -40,14 +38,6 @@ middle (int cell, int step, int pixels)
   return std::min (cell * step + step / 2, pixels - 1);
 }
 
-bool
-isUnit (const float* normal)
-{
-  const float square =
-      normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-  return square > 0.9f && square < 1.1f;
-}
-
 } // namespace
 
 void
@@ -62,10 +52,8 @@ PlaneSamples::resize (int image_width, int image_height)
   const std::size_t size = static_cast<std::size_t> (tiles_u * tiles_v) * tile_size;
   for (auto* values : {&x, &y, &z, &normal_x, &normal_y, &normal_z})
     values->assign (size, 0.f);
-  for (auto* values : {&sigma, &relative_sigma, &weight})
+  for (auto* values : {&curvature, &sigma, &relative_sigma, &weight, &min_cosine})
     values->resize (size);
-  min_cosine.assign (size, -1.f);
-  is_seed.assign (size, 0);
   if (width != old_width || height != old_height)
     findNeighbours();
 }
@@ -85,19 +73,21 @@ PlaneSamples::findNeighbours()
                                neighbour (u, v - 1),
                                neighbour (u + 1, v - 1)};
     }
+  around_.clear();
+  for (int v = 0; v < tiles_v; ++v)
+    for (int u = 0; u < tiles_u; ++u)
+      around_.push_back ({u > 0, u + 1 < tiles_u, v > 0, v + 1 < tiles_v});
 }
 
 void
-PlaneSamples::findClustered (std::vector<std::uint32_t>& clustered) const
+PlaneSamples::dropTakenSeeds()
 {
-  clustered.resize (size());
   std::size_t number = 0;
-  for (std::size_t i = 0; i < size(); ++i) {
-    clustered[number] = static_cast<std::uint32_t> (i);
-    number +=
-        static_cast<std::size_t> (isFree (i)) & static_cast<std::size_t> (is_seed[i]);
+  for (const std::uint32_t i : seeds) {
+    seeds[number] = i;
+    number += isFree (i);
   }
-  clustered.resize (number);
+  seeds.resize (number);
 }
 
 void
@@ -115,40 +105,49 @@ PlaneSamples::compute (const OrganizedPoints& points,
     return (selected.empty() || selected[pixel]) && square > min_squared_range &&
            square <= farthest;
   };
+  missing_.clear();
+  const auto stride = static_cast<std::size_t> (step);
   for (int v = 0; v < height; ++v) {
     const int row = middle (v, step, points.height);
-    const std::size_t below = pixelAt (
+    const std::size_t last = pixelAt (points, points.width - 1, row);
+    std::size_t next = pixelAt (points, middle (0, step, points.width), row);
+    std::size_t below = pixelAt (
         points, middle (0, step, points.width), middle (v + 1, step, points.height));
-    for (int u = 0; u < width; ++u) {
+    for (int u = 0; u < width; ++u, next += stride, below += stride) {
       if (step > 1) { // else the processor reads ahead by itself
-        const std::size_t next = below + static_cast<std::size_t> (u * step);
-        hwy::Prefetch (points[next]);
-        hwy::Prefetch (normals.normal + next * normals.stride);
+        hwy::Prefetch (points[below]);
+        hwy::Prefetch (normals.normal + below * normals.stride);
       }
-      std::size_t pixel = pixelAt (points, middle (u, step, points.width), row);
-      if (!isUsable (pixel)) {
-        pixel = findPixel (points, u, v, isUsable);
-        if (pixel == points.size())
-          continue;
-      }
-      const std::size_t i = at (u, v);
-      const float* p = points[pixel];
-      x[i] = p[0];
-      y[i] = p[1];
-      z[i] = p[2];
-      const float* normal = normals.normal + pixel * normals.stride;
-      if (!isUnit (normal))
-        continue;
-      normal_x[i] = normal[0];
-      normal_y[i] = normal[1];
-      normal_z[i] = normal[2];
-      const float curvature = normals.curvature[pixel * normals.stride];
-      is_seed[i] = !(curvature > maximum_curvature);
-      if (!(curvature > trusted_share * maximum_curvature))
-        min_cosine[i] = 0.f;
+      const std::size_t pixel = std::min (next, last);
+      if (isUsable (pixel))
+        copyPixel (points, normals, pixel, at (u, v));
+      else if (step > 1)
+        missing_.push_back ({u, v});
     }
   }
-  fillUncertainties (*this, noise);
+  for (const auto [u, v] : missing_) {
+    const std::size_t pixel = findPixel (points, u, v, isUsable);
+    if (pixel != points.size())
+      copyPixel (points, normals, pixel, at (u, v));
+  }
+  judgeSamples (*this, noise, maximum_curvature);
+}
+
+void
+PlaneSamples::copyPixel (const OrganizedPoints& points,
+                         const OrganizedNormals& normals,
+                         std::size_t pixel,
+                         std::size_t i)
+{
+  const float* p = points[pixel];
+  x[i] = p[0];
+  y[i] = p[1];
+  z[i] = p[2];
+  const float* normal = normals.normal + pixel * normals.stride;
+  normal_x[i] = normal[0];
+  normal_y[i] = normal[1];
+  normal_z[i] = normal[2];
+  curvature[i] = normals.curvature[pixel * normals.stride];
 }
 
 /** The first usable pixel of a sample's cell; the number of pixels if there is none. */

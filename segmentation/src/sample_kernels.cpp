@@ -17,13 +17,21 @@ namespace {
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
  * each metre, as depth noise tilts far normals. */
 constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f;
+/** Normals with more than this part of the largest curvature are not trusted. */
+constexpr float trusted_share = 0.5f;
+/** Squares of the lengths of normals. */
+constexpr float min_square = 0.9f, max_square = 1.1f;
 
 } // namespace
 
 void
-fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
+judgeSamplesHere (PlaneSamples& samples,
+                  const DepthNoise& noise,
+                  float maximum_curvature)
 {
   const V none = set (-1.f);
+  samples.seeds.resize (samples.size());
+  std::size_t seeds = 0;
   for (std::size_t i = 0; i < samples.size(); i += hn::Lanes (Floats())) {
     const V squared_range = squaredLength (pointsAt (samples, i));
     const Mask measured = hn::Gt (squared_range, hn::Zero (Floats()));
@@ -38,11 +46,29 @@ fillUncertaintiesHere (PlaneSamples& samples, const DepthNoise& noise)
                                     hn::Div (set (1.f), hn::Mul (relative, relative))),
                 Floats(),
                 &samples.weight[i]);
+    const V square = squaredLength (normalsAt (samples, i));
+    const Mask has_normal =
+        hn::And (hn::Gt (square, set (min_square)), hn::Lt (square, set (max_square)));
+    for (auto* values : {&samples.normal_x, &samples.normal_y, &samples.normal_z})
+      hn::StoreU (hn::IfThenElseZero (has_normal, load (&(*values)[i])),
+                  Floats(),
+                  &(*values)[i]);
+    const V curvature = load (&samples.curvature[i]);
+    const Mask is_seed =
+        hn::AndNot (hn::Gt (curvature, set (maximum_curvature)), has_normal);
+    const hn::RebindToUnsigned<Floats> indices;
+    seeds += hn::CompressStore (hn::Iota (indices, static_cast<std::uint32_t> (i)),
+                                hn::RebindMask (indices, is_seed),
+                                indices,
+                                &samples.seeds[seeds]);
+    const Mask is_trusted = hn::AndNot (
+        hn::Gt (curvature, set (trusted_share * maximum_curvature)), has_normal);
     const V degrees = hn::MulAdd (range, set (angle_per_metre), set (angle_at_sensor));
-    hn::StoreU (hn::IfThenElse (isTrusted (samples, i), cosineOf (degrees), none),
+    hn::StoreU (hn::IfThenElse (is_trusted, cosineOf (degrees), none),
                 Floats(),
                 &samples.min_cosine[i]);
   }
+  samples.seeds.resize (seeds);
 }
 
 std::uint8_t
@@ -113,15 +139,15 @@ HWY_AFTER_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
 
-HWY_EXPORT (fillUncertaintiesHere);
+HWY_EXPORT (judgeSamplesHere);
 HWY_EXPORT (claimTileHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (samplesAtPlaneHere);
 
 void
-fillUncertainties (PlaneSamples& samples, const DepthNoise& noise)
+judgeSamples (PlaneSamples& samples, const DepthNoise& noise, float maximum_curvature)
 {
-  HWY_DYNAMIC_DISPATCH (fillUncertaintiesHere) (samples, noise);
+  HWY_DYNAMIC_DISPATCH (judgeSamplesHere) (samples, noise, maximum_curvature);
 }
 
 std::uint8_t

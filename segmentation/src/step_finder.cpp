@@ -23,9 +23,16 @@ constexpr float min_in_depth = 2.f;
  * along a step. */
 constexpr float min_edge = 1.f, min_jump = 1.4f;
 constexpr int min_places = 4;
+constexpr float min_votes = min_places * min_edge;
 /** The shift of the surface behind a step, and what it leaves of the root mean square of
  * the errors. */
 constexpr double min_height = 1.6, max_left = 0.95;
+
+Eigen::Matrix<double, 6, 1>
+surfaceTerms (const Eigen::Array<float, 8, 1>& terms)
+{
+  return terms.head<6>().cast<double>().matrix();
+}
 
 } // namespace
 
@@ -104,14 +111,17 @@ StepFinder::findEdges (const std::vector<SampleError>& samples, bool is_steep)
     if (number_before >= min_in_depth && number_behind >= min_in_depth)
       jumps_[at] = before / number_before - behind / number_behind;
   }
-  edges_.clear();
+  for (auto* values : {&edges_.along, &edges_.across, &edges_.jump})
+    values->clear();
   for (const SampleError& sample : samples) {
     const std::size_t at = place (sample.u, sample.v);
     const float jump = std::abs (jumps_[at]);
     if (jump >= min_edge && jump >= std::abs (jumps_[at - across]) &&
-        jump > std::abs (jumps_[at + across]))
-      edges_.push_back (
-          {is_steep ? sample.v : sample.u, is_steep ? sample.u : sample.v, jumps_[at]});
+        jump > std::abs (jumps_[at + across])) {
+      edges_.along.push_back (static_cast<float> (is_steep ? sample.v : sample.u));
+      edges_.across.push_back (static_cast<float> (is_steep ? sample.u : sample.v));
+      edges_.jump.push_back (jumps_[at]);
+    }
   }
 }
 
@@ -121,35 +131,41 @@ StepFinder::findLines (bool is_steep)
 {
   if (edges_.size() < static_cast<std::size_t> (min_places))
     return;
-  const auto ends = std::minmax_element (
-      edges_.begin(), edges_.end(), [] (const Edge& a, const Edge& b) {
-        return a.along < b.along;
-      });
-  const int first = ends.first->along, last = ends.second->along;
-  const float middle = 0.5f * static_cast<float> (first + last);
+  const auto ends = std::minmax_element (edges_.along.begin(), edges_.along.end());
+  const float middle = 0.5f * (*ends.first + *ends.second);
+  const auto length = static_cast<int> (*ends.second - *ends.first);
   const int across = is_steep ? 0 : 1;
-  const int first_bin = first_[across] - (last - first);
-  votes_.assign (
-      static_cast<std::size_t> (last_[across] - first_bin + last - first + 2), 0.f);
-  const int slopes = (last - first) / 2 + 1;
+  const int first_bin = first_[across] - length;
+  votes_.assign (static_cast<std::size_t> (last_[across] - first_bin + length + 2),
+                 0.f);
+  edges_.bin.resize (edges_.size());
+  const int slopes = length / 2 + 1;
   for (int k = -slopes; k <= slopes; ++k) {
     const float slope = static_cast<float> (k) / static_cast<float> (slopes);
-    // Where a line through an edge is in the middle, rounded up.
-    const auto binOf = [&] (const Edge& edge) {
-      const float at_middle = static_cast<float> (edge.across - first_bin) -
-                              slope * (static_cast<float> (edge.along) - middle);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      // Where a line through the edge is in the middle, rounded up.
+      const float at_middle = edges_.across[i] - static_cast<float> (first_bin) -
+                              slope * (edges_.along[i] - middle);
       const auto whole = static_cast<int> (at_middle);
-      return whole + (at_middle > static_cast<float> (whole) ? 1 : 0);
-    };
-    for (const Edge& edge : edges_)
-      votes_[static_cast<std::size_t> (binOf (edge))] += edge.jump;
-    for (const Edge& edge : edges_) {
-      const int bin = binOf (edge);
+      edges_.bin[i] = whole + (at_middle > static_cast<float> (whole) ? 1 : 0);
+    }
+    float most = 0.f;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      float& votes = votes_[static_cast<std::size_t> (edges_.bin[i])];
+      votes += edges_.jump[i];
+      most = std::max (most, std::abs (votes));
+    }
+    if (most < min_votes) {
+      std::fill (votes_.begin(), votes_.end(), 0.f);
+      continue;
+    }
+    for (const int bin : edges_.bin) {
       const float votes = std::exchange (votes_[static_cast<std::size_t> (bin)], 0.f);
+      if (!(std::abs (votes) >= min_votes))
+        continue;
       const GridLine line{
           is_steep, slope, static_cast<float> (bin + first_bin) - slope * middle};
-      if (std::abs (votes) >= static_cast<float> (min_places) * min_edge &&
-          jumpsAlong (line))
+      if (jumpsAlong (line))
         lines_.push_back (line);
     }
   }
@@ -159,17 +175,27 @@ bool
 StepFinder::jumpsAlong (const GridLine& line) const
 {
   const int k = line.is_steep ? 1 : 0;
-  const auto first = static_cast<float> (first_[1 - k]),
-             end = static_cast<float> (last_[1 - k] + 1);
+  const auto acrossAt = [&line] (int along) {
+    return line.slope * static_cast<float> (along) + line.offset;
+  };
+  const auto isInside = [&,
+                         first = static_cast<float> (first_[1 - k]),
+                         end = static_cast<float> (last_[1 - k] + 1)] (int along) {
+    return acrossAt (along) >= first && acrossAt (along) < end;
+  };
+  int begin = first_[k], end = last_[k] + 1;
+  while (begin < end && !isInside (begin))
+    ++begin;
+  while (begin < end && !isInside (end - 1))
+    --end;
+  const std::ptrdiff_t along_step = line.is_steep ? stride_ : 1,
+                       across_step = line.is_steep ? 1 : stride_;
+  const float* jumps = &jumps_[place (0, 0)];
   float sum = 0.f;
   int places = 0;
-  for (int along = first_[k]; along <= last_[k]; ++along) {
-    const float at = line.slope * static_cast<float> (along) + line.offset;
-    if (!(at >= first && at < end))
-      continue;
-    const auto across = static_cast<int> (at);
+  for (int along = begin; along < end; ++along) {
     const float jump =
-        jumps_[line.is_steep ? place (across, along) : place (along, across)];
+        jumps[along * along_step + static_cast<int> (acrossAt (along)) * across_step];
     sum += jump;
     places += jump != 0.f;
   }
@@ -181,7 +207,6 @@ void
 StepFinder::fitSurface (const std::vector<SampleError>& samples)
 {
   terms_.resize (samples.size());
-  left_.resize (samples.size());
   const auto scaled = [this] (int value, int k) {
     return static_cast<float> (2 * value - first_[k] - last_[k]) /
            static_cast<float> (last_[k] - first_[k] + 1);
@@ -191,17 +216,19 @@ StepFinder::fitSurface (const std::vector<SampleError>& samples)
   Eigen::Matrix<double, 6, 1> sums = Eigen::Matrix<double, 6, 1>::Zero();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const float u = scaled (samples[i].u, 0), v = scaled (samples[i].v, 1);
-    terms_[i] << 1.f, u, v, u * u, u * v, v * v;
-    const Eigen::Matrix<double, 6, 1> terms = terms_[i].cast<double>();
+    terms_[i] << 1.f, u, v, u * u, u * v, v * v, 0.f, 0.f;
+    const Eigen::Matrix<double, 6, 1> terms = surfaceTerms (terms_[i]);
     products += terms * terms.transpose();
     sums += samples[i].error * terms;
   }
   inverse_ = products.inverse();
-  const Terms surface = (inverse_ * sums).cast<float>();
+  Terms surface = Terms::Zero();
+  surface.head<6>() = (inverse_ * sums).cast<float>();
   squares_ = 0.;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    left_[i] = samples[i].error - surface.dot (terms_[i]);
-    squares_ += left_[i] * left_[i];
+    const float error = samples[i].error - (surface * terms_[i]).sum();
+    terms_[i][left] = error;
+    squares_ += error * error;
   }
 }
 
@@ -212,21 +239,19 @@ StepFinder::gainOf (const std::vector<SampleError>& samples,
                     const GridLine& line,
                     std::size_t min_side) const
 {
-  Terms terms = Terms::Zero();
-  float left = 0.f;
+  Terms sums = Terms::Zero();
   std::size_t behind = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (line.isBehind (samples[i].u, samples[i].v)) {
-      terms += terms_[i];
-      left += left_[i];
+      sums += terms_[i];
       ++behind;
     }
   if (behind < min_side || samples.size() - behind < min_side)
     return 0.;
-  const Eigen::Matrix<double, 6, 1> t = terms.cast<double>();
+  const Eigen::Matrix<double, 6, 1> t = surfaceTerms (sums);
   const double free = static_cast<double> (behind) - t.dot (inverse_ * t);
-  const double height = left / free;
-  return free >= 1. && std::abs (height) >= min_height ? left * height : 0.;
+  const double height = sums[left] / free;
+  return free >= 1. && std::abs (height) >= min_height ? sums[left] * height : 0.;
 }
 
 } // namespace rgbd_planes

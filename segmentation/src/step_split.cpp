@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "tile_bits.h"
-
 #include <pcl/segmentation/step_split.h>
 
 #include <cmath>
@@ -48,6 +46,7 @@ StepSplit::compute (const PlaneSamples& samples,
                     std::size_t min_side,
                     float max_sigmas,
                     std::vector<std::int32_t>& owners,
+                    std::vector<TilePart>& parts,
                     std::vector<PlaneMoments>& planes)
 {
   finder_.resize (samples.width, samples.height);
@@ -60,7 +59,7 @@ StepSplit::compute (const PlaneSamples& samples,
     if (static_cast<double> (planes[k].points) > max_points ||
         !(planes[k].meanSquaredError (m) >= least * least))
       continue;
-    collect (samples, owners, static_cast<std::int32_t> (k), m, unit);
+    collect (samples, parts, static_cast<std::uint32_t> (k), m, unit);
     GridLine step;
     if (!finder_.find (errors_, min_side, step))
       continue;
@@ -83,30 +82,29 @@ StepSplit::compute (const PlaneSamples& samples,
     for (const SampleError& e : errors_)
       if (step.isBehind (e.u, e.v) == (smaller == 1))
         owners[e.sample] = static_cast<std::int32_t> (owner);
+    findTileParts (owners, parts);
   }
 }
 
 /** Lists the samples of a plane, and how far they are off m * p = 1. */
 void
 StepSplit::collect (const PlaneSamples& samples,
-                    const std::vector<std::int32_t>& owners,
-                    std::int32_t plane,
+                    const std::vector<TilePart>& parts,
+                    std::uint32_t plane,
                     const Eigen::Vector3d& m,
                     float unit)
 {
   const Eigen::Vector3f plane_m = m.cast<float>();
   errors_.clear();
-  for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
-    const std::size_t begin = tile * PlaneSamples::tile_size;
-    const unsigned own =
-        samplesWhere (&owners[begin], [=] (std::int32_t o) { return o == plane; });
-    if (own == 0)
+  for (const TilePart& part : parts) {
+    if (part.plane != plane)
       continue;
-    const int left =
-        static_cast<int> (tile) % samples.tiles_u * PlaneSamples::tile_side;
-    const int top = static_cast<int> (tile) / samples.tiles_u * PlaneSamples::tile_side;
+    const std::size_t begin = part.tile * PlaneSamples::tile_size;
+    const int tile = static_cast<int> (part.tile);
+    const int left = tile % samples.tiles_u * PlaneSamples::tile_side;
+    const int top = tile / samples.tiles_u * PlaneSamples::tile_side;
     for (int k = 0; k < static_cast<int> (PlaneSamples::tile_size); ++k) {
-      if (!(own >> k & 1u))
+      if (!(part.own >> k & 1u))
         continue;
       const std::size_t i = begin + static_cast<std::size_t> (k);
       const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);

@@ -62,7 +62,8 @@ protected:
         moments_[plane].add (p, samples_.weight[i]);
         owners_[i] = static_cast<std::int32_t> (plane);
       }
-    split_.compute (samples_, 25, max_sigmas, owners_, moments_);
+    pcl::rgbd_planes::findTileParts (owners_, parts_);
+    split_.compute (samples_, 25, max_sigmas, owners_, parts_, moments_);
     planes_.clear();
     for (const PlaneMoments& moments : moments_)
       planes_.push_back (planeOf (moments.inverseDistance()));
@@ -78,6 +79,7 @@ protected:
   PlaneSamples samples_;
   std::vector<PlaneMoments> moments_;
   std::vector<std::int32_t> owners_;
+  std::vector<pcl::rgbd_planes::TilePart> parts_;
   std::vector<Plane> planes_;
   StepSplit split_;
 };

@@ -51,6 +51,46 @@ public:
   {
     for (Candidate& candidate : queue_)
       candidate.distance = distance (clusters_[candidate.a], clusters_[candidate.b]);
+    // Those that are too far apart come last, if others that merge bring them together.
+    const auto end = std::partition (
+        queue_.begin(), queue_.end(), [max_distance] (const Candidate& candidate) {
+          return candidate.distance <= max_distance;
+        });
+    far_.assign (end, queue_.end());
+    queue_.erase (end, queue_.end());
+    mergeQueue (max_distance, distance);
+    const auto is_near_now = [&] (const Candidate& candidate) {
+      const std::size_t a = find (candidate.a), b = find (candidate.b);
+      return a != b && distance (clusters_[a], clusters_[b]) <= max_distance;
+    };
+    if (std::any_of (far_.begin(), far_.end(), is_near_now)) {
+      queue_.swap (far_);
+      mergeQueue (max_distance, distance);
+    }
+  }
+
+  /** \brief The cluster that \a cluster is part of. */
+  std::size_t
+  find (std::size_t cluster)
+  {
+    while (parents_[cluster] != cluster) {
+      parents_[cluster] = parents_[parents_[cluster]];
+      cluster = parents_[cluster];
+    }
+    return cluster;
+  }
+
+  const Cluster&
+  operator[] (std::size_t cluster) const
+  {
+    return clusters_[cluster];
+  }
+
+private:
+  template <typename Distance>
+  void
+  mergeQueue (float max_distance, const Distance& distance)
+  {
     std::make_heap (queue_.begin(), queue_.end());
     while (!queue_.empty()) {
       std::pop_heap (queue_.begin(), queue_.end());
@@ -73,24 +113,6 @@ public:
     }
   }
 
-  /** \brief The cluster that \a cluster is part of. */
-  std::size_t
-  find (std::size_t cluster)
-  {
-    while (parents_[cluster] != cluster) {
-      parents_[cluster] = parents_[parents_[cluster]];
-      cluster = parents_[cluster];
-    }
-    return cluster;
-  }
-
-  const Cluster&
-  operator[] (std::size_t cluster) const
-  {
-    return clusters_[cluster];
-  }
-
-private:
   struct Candidate {
     float distance;
     std::size_t a;
@@ -110,6 +132,7 @@ private:
   std::vector<Cluster> clusters_;
   std::vector<std::size_t> parents_;
   std::vector<Candidate> queue_; // a heap while merging
+  std::vector<Candidate> far_;
 };
 
 } // namespace rgbd_planes

@@ -7,6 +7,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/tile_parts.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -25,11 +26,13 @@ class PCL_RGBD_PLANES_EXPORTS CurvedPatches {
 public:
   /** \brief Looks at all planes.
    * \param[in] owners for each sample the plane it belongs to, or less than 0
+   * \param[in] parts what each plane owns in each tile
    * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
    */
   void
   find (const PlaneSamples& samples,
         const std::vector<std::int32_t>& owners,
+        const std::vector<TilePart>& parts,
         const std::vector<Plane>& planes,
         const DepthNoise& noise,
         float max_sigmas);
@@ -41,12 +44,6 @@ public:
   }
 
 private:
-  /** The samples of a plane in a tile, a bit for each. */
-  struct Part {
-    std::uint32_t plane, tile;
-    std::uint16_t own;
-  };
-
   /** The samples beside those of a plane, in their tiles. */
   struct Border {
     std::size_t samples = 0;
@@ -54,20 +51,19 @@ private:
     std::size_t continued = 0;
   };
 
-  void
-  findParts (const std::vector<std::int32_t>& owners, std::size_t planes);
-
   bool
   goesOnAndTurns (const PlaneSamples& samples,
+                  const std::vector<TilePart>& parts,
                   std::uint32_t number,
                   const Plane& plane,
                   const DepthNoise& noise,
                   float max_sigmas);
 
   void
-  findTiles (const PlaneSamples& samples, std::uint32_t plane);
+  findTiles (const PlaneSamples& samples,
+             const std::vector<TilePart>& parts,
+             std::uint32_t plane);
 
-  std::vector<Part> parts_;
   std::vector<Border> borders_;
   /** Of the plane that is looked at: its tiles and those around, what it has in each tile,
    * and the weights of its samples and those on which the surface goes on. */

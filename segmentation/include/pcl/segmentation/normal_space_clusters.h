@@ -31,7 +31,7 @@ class PCL_RGBD_PLANES_EXPORTS NormalSpaceClusters {
 public:
   static constexpr std::int32_t none = -1;
 
-  /** \brief Clusters the points of \a samples that are to be.
+  /** \brief Clusters the seeds of \a samples; all others have the label \ref none.
    * \param[in] angular_threshold largest angle between the mean normals of merged
    * clusters, in radians; the cells of the grid are half as wide, at least 0.03
    * \param[in] min_cell_points cells with fewer points belong to no cluster
@@ -49,13 +49,6 @@ public:
     return labels_;
   }
 
-  /** \brief The samples that were clustered; all others have the label \ref none. */
-  const std::vector<std::uint32_t>&
-  clustered () const
-  {
-    return clustered_;
-  }
-
   /** \brief The mean normal of each cluster, of unit length. */
   const std::vector<Eigen::Vector3f>&
   meanNormals () const
@@ -67,12 +60,17 @@ private:
   struct Cell {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     std::uint32_t points = 0;
+  };
 
-    Cell&
-    operator+= (const Cell& other)
+  struct Cluster {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero(),
+                    mean_normal = Eigen::Vector3f::Zero();
+
+    Cluster&
+    operator+= (const Cluster& other)
     {
       sum += other.sum;
-      points += other.points;
+      mean_normal = sum.normalized();
       return *this;
     }
   };
@@ -98,20 +96,19 @@ private:
   addNeighbours (std::size_t cell, std::size_t other);
 
   void
-  finishMerging (float angular_threshold);
+  finishMerging (const PlaneSamples& samples, float angular_threshold);
 
   int cells_per_axis_ = 0;
   /** The first cell of each circle of latitude, and the end of the last one. */
   std::vector<std::size_t> latitudes_;
   std::vector<Cell> grid_;
-  std::vector<std::uint32_t> clustered_;
   /** Grid index of each point, then its cluster. */
   std::vector<std::int32_t> labels_;
   /** The cluster of each cell of the grid. */
   std::vector<std::int32_t> cluster_of_cell_;
-  std::vector<Cell> cells_;
+  std::vector<Cluster> cells_;
   std::vector<std::int32_t> numbers_;
-  ClusterMerging<Cell> merging_;
+  ClusterMerging<Cluster> merging_;
   std::vector<Eigen::Vector3f> mean_normals_;
 };
 

@@ -9,6 +9,7 @@
 #include <pcl/segmentation/plane_intersections.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/tile_parts.h>
 
 #include <array>
 #include <cstddef>
@@ -73,11 +74,13 @@ class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
   /** \brief Finds the planes around each tile.
    * \param[in] owners the plane of each sample, PlaneGrowth::none or curved_surface
+   * \param[in] parts what each plane owns in each tile
    * \param[in] planes whose numbers the owners are
    */
   void
   findPlanes (const PlaneSamples& samples,
               const std::vector<std::int32_t>& owners,
+              const std::vector<TilePart>& parts,
               const std::vector<Plane>& planes);
 
   /** \brief Leaves each sample, and the pixels of its cell, to its owner.
@@ -181,8 +184,7 @@ private:
   static constexpr std::size_t min_samples_in_tile = 4;
 
   void
-  findPresentPlanes (const PlaneSamples& samples,
-                     const std::vector<std::int32_t>& owners);
+  findPresentPlanes (std::size_t tiles, const std::vector<TilePart>& parts);
 
   void
   findCandidates (const PlaneSamples& samples,

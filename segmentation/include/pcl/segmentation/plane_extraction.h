@@ -172,6 +172,7 @@ private:
   CurvedPatches patches_;
   PlaneAssignment assignment_;
   std::vector<std::int32_t> owners_;
+  std::vector<TilePart> parts_;
   std::vector<Plane> planes_;
   std::vector<PlaneMoments> moments_;
   std::vector<Eigen::Matrix4d> parameter_covariances_;

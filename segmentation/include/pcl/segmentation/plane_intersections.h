@@ -5,6 +5,7 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -44,13 +45,18 @@ public:
   void
   add (std::uint32_t own, std::uint32_t other, const SideCounts& points);
 
-  /** \brief Looks for the planes that meet; without, all is unknown. */
+  /** \brief Looks for the planes that meet, and forgets the points; without, all is
+   * unknown. */
   void
   find ();
 
   /** \brief What is seen of two planes, in any order. */
   SeenPlane
-  between (std::uint32_t a, std::uint32_t b) const;
+  between (std::uint32_t a, std::uint32_t b) const
+  {
+    const std::size_t pair = find (std::min (a, b), std::max (a, b));
+    return pair != none ? pairs_[pair].seen : SeenPlane::unknown;
+  }
 
 private:
   static constexpr auto none = std::numeric_limits<std::size_t>::max();
@@ -58,14 +64,21 @@ private:
   /** Two planes a < b, the pair of the same a that was added before, and points on
    * either. */
   struct Pair {
-    std::uint32_t b;
+    std::uint32_t a, b;
     std::size_t before;
     SideCounts of_a, of_b;
     SeenPlane seen = SeenPlane::unknown;
   };
 
+  /** The place of a pair a < b, or \ref none. */
   std::size_t
-  find (std::uint32_t a, std::uint32_t b) const;
+  find (std::uint32_t a, std::uint32_t b) const
+  {
+    std::size_t pair = a < last_of_.size() ? last_of_[a] : none;
+    while (pair != none && pairs_[pair].b != b)
+      pair = pairs_[pair].before;
+    return pair;
+  }
 
   std::vector<Pair> pairs_;
   /** The pair of each a that was added last. */

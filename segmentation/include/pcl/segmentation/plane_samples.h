@@ -64,12 +64,13 @@ public:
   void
   forEachTileAround (std::size_t tile, const Body& body) const
   {
-    const int u = static_cast<int> (tile) % tiles_u,
-              v = static_cast<int> (tile) / tiles_u;
-    for (int row = std::max (v - 1, 0); row <= std::min (v + 1, tiles_v - 1); ++row)
-      for (int column = std::max (u - 1, 0); column <= std::min (u + 1, tiles_u - 1);
-           ++column)
-        body (static_cast<std::uint32_t> (row * tiles_u + column));
+    const auto [left, right, above, below] = around_[tile];
+    const auto columns = static_cast<std::uint32_t> (tiles_u);
+    const auto centre = static_cast<std::uint32_t> (tile);
+    for (std::uint32_t row = centre - above * columns; row <= centre + below * columns;
+         row += columns)
+      for (std::uint32_t other = row - left; other <= row + right; ++other)
+        body (other);
   }
 
   /** \brief A measured point of \a tile; (0, 0, 0) if there is none. */
@@ -87,9 +88,13 @@ public:
   std::size_t
   at (int u, int v) const
   {
-    const int tile = v / tile_side * tiles_u + u / tile_side;
-    return static_cast<std::size_t> (tile) * tile_size +
-           static_cast<std::size_t> (v % tile_side * tile_side + u % tile_side);
+    // Unsigned, divisions are shifts.
+    constexpr auto side = static_cast<std::size_t> (tile_side);
+    const auto column = static_cast<std::size_t> (u),
+               row = static_cast<std::size_t> (v);
+    const std::size_t tile =
+        row / side * static_cast<std::size_t> (tiles_u) + column / side;
+    return tile * tile_size + row % side * side + column % side;
   }
 
   /** Pixels between samples, samples and tiles along both axes. */
@@ -97,6 +102,8 @@ public:
 
   /** (0, 0, 0) where there is no point or normal. */
   std::vector<float> x, y, z, normal_x, normal_y, normal_z;
+  /** That of the normals; anything where there is none. */
+  std::vector<float> curvature;
   /** Standard deviation of depth, and relative to the range; -1 where there is no
    * measurement or a plane took it. */
   std::vector<float> sigma, relative_sigma;
@@ -105,8 +112,8 @@ public:
   /** The least cosine between the normals of the point and of its plane; -1 where the
    * normal is not trusted. */
   std::vector<float> min_cosine;
-  /** Not 0 where the point may start a cluster. */
-  std::vector<std::uint8_t> is_seed;
+  /** The points that may start a cluster. */
+  std::vector<std::uint32_t> seeds;
 
   struct Neighbours {
     std::uint32_t left, above_left, above, above_right;
@@ -120,9 +127,9 @@ public:
     return sigma[i] >= 0.f;
   }
 
-  /** \brief The samples that start clusters, of those that are free. */
+  /** \brief Points that planes took start no clusters any more. */
   void
-  findClustered (std::vector<std::uint32_t>& clustered) const;
+  dropTakenSeeds ();
 
 private:
   void
@@ -137,6 +144,26 @@ private:
              int u,
              int v,
              const IsUsable& isUsable) const;
+
+  void
+  copyPixel (const OrganizedPoints& points,
+             const OrganizedNormals& normals,
+             std::size_t pixel,
+             std::size_t i);
+
+  /** Tiles beside a tile in each direction: 1, or 0 where the image ends. */
+  struct Around {
+    std::uint8_t left, right, above, below;
+  };
+
+  /** Column and row of a sample. */
+  struct Place {
+    int u, v;
+  };
+
+  std::vector<Around> around_;
+  /** Samples whose middle pixel is not usable. */
+  std::vector<Place> missing_;
 };
 
 } // namespace rgbd_planes

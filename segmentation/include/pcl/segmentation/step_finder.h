@@ -61,12 +61,22 @@ public:
   find (const std::vector<SampleError>& samples, std::size_t min_side, GridLine& step);
 
 private:
-  using Terms = Eigen::Matrix<float, 6, 1>;
+  /** Of a surface of second order, at a sample: 1, u, v, uu, uv, vv, the error that the
+   * surface leaves, and 0; or sums of these. */
+  using Terms = Eigen::Array<float, 8, 1>;
+  static constexpr int left = 6;
 
-  /** A place of the grid where errors jump, in coordinates along lines and across. */
-  struct Edge {
-    int along, across;
-    float jump;
+  /** Places of the grid where errors jump, in coordinates along lines and across, and for
+   * each where a line through it is. */
+  struct Edges {
+    std::vector<float> along, across, jump;
+    std::vector<int> bin;
+
+    std::size_t
+    size () const
+    {
+      return jump.size();
+    }
   };
 
   void
@@ -102,13 +112,12 @@ private:
   std::vector<float> errors_, own_, jumps_;
   /** The first and last column and row of the samples. */
   int first_[2] = {0, 0}, last_[2] = {0, 0};
-  std::vector<Edge> edges_;
+  Edges edges_;
   std::vector<float> votes_;
   std::vector<GridLine> lines_;
-  /** Of the surface of second order: its terms at each sample, the errors it leaves, the sum
-   * of their squares, and the inverse of the sum of the products of the terms. */
+  /** Of the surface of second order: its terms at each sample, the sum of the squares of
+   * the errors that it leaves, and the inverse of the sum of the products of the terms. */
   std::vector<Terms> terms_;
-  std::vector<float> left_;
   double squares_ = 0.;
   Eigen::Matrix<double, 6, 6> inverse_ = Eigen::Matrix<double, 6, 6>::Zero();
 };

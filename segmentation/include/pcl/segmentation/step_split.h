@@ -7,6 +7,7 @@
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 #include <pcl/segmentation/step_finder.h>
+#include <pcl/segmentation/tile_parts.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,7 @@ public:
    * \param[in] min_side the least number of samples on either side
    * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
    * \param[in,out] owners the plane of each sample, less than 0 for none
+   * \param[in,out] parts what each plane owns in each tile
    * \param[in,out] planes sums over the samples of each plane
    */
   void
@@ -35,13 +37,14 @@ public:
            std::size_t min_side,
            float max_sigmas,
            std::vector<std::int32_t>& owners,
+           std::vector<TilePart>& parts,
            std::vector<PlaneMoments>& planes);
 
 private:
   void
   collect (const PlaneSamples& samples,
-           const std::vector<std::int32_t>& owners,
-           std::int32_t plane,
+           const std::vector<TilePart>& parts,
+           std::uint32_t plane,
            const Eigen::Vector3d& m,
            float unit);
 
