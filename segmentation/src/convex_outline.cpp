@@ -129,13 +129,16 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
     return;
   convexHull (points, corners_);
 
+  std::array<Vector2f, disc_corners> disc;
+  for (std::size_t k = 0; k < disc.size(); ++k) {
+    const auto angle =
+        static_cast<float> (2. * M_PI * static_cast<double> (k) / disc_corners);
+    disc[k] = tolerance * Vector2f (std::cos (angle), std::sin (angle));
+  }
   grown_.clear();
   for (const auto& corner : corners_)
-    for (int k = 0; k < disc_corners; ++k) {
-      const auto angle = static_cast<float> (2. * M_PI * k / disc_corners);
-      grown_.push_back (corner +
-                        tolerance * Vector2f (std::cos (angle), std::sin (angle)));
-    }
+    for (const auto& offset : disc)
+      grown_.push_back (corner + offset);
   sortByX (grown_);
   appendChain (grown_, 1.f, lower_.points);
   appendChain (grown_, -1.f, upper_.points);
