@@ -12,10 +12,18 @@ namespace rgbd_planes {
 
 namespace {
 
-std::uint32_t
-lowestBit (unsigned bits)
+template <typename Use>
+void
+forEachBit (unsigned bits, const Use& use)
 {
-  return static_cast<std::uint32_t> (hwy::Num0BitsBelowLS1Bit_Nonzero32 (bits));
+  for (; bits != 0; bits &= bits - 1)
+    use (static_cast<unsigned> (hwy::Num0BitsBelowLS1Bit_Nonzero32 (bits)));
+}
+
+std::size_t
+highestBit (unsigned bits)
+{
+  return 31 - hwy::Num0BitsAboveMS1Bit_Nonzero32 (bits);
 }
 
 } // namespace
@@ -26,7 +34,7 @@ LinkedRuns::start (std::size_t width)
   const std::size_t blocks = (width + block_size - 1) / block_size;
   for (Row& row : rows_) {
     row.bits.assign (blocks, {});
-    row.run_at.resize (blocks * block_size);
+    row.run_from.resize (blocks * block_size);
   }
   runs_.clear();
 }
@@ -46,35 +54,48 @@ LinkedRuns::addRow (std::uint32_t first)
 void
 LinkedRuns::findRuns (std::uint32_t first, Row& row)
 {
-  for (std::size_t block = 0; block < row.bits.size(); ++block) {
-    const unsigned linked = row.bits[block].linked;
-    const std::size_t begin = block * block_size;
-    for (unsigned rest = row.bits[block].inside; rest != 0;) {
-      const std::uint32_t at = lowestBit (rest);
-      const std::uint32_t end = at + 1 + lowestBit (~(linked >> (at + 1)));
-      if (!(linked >> at & 1u))
-        runs_.push_back ({first + static_cast<std::uint32_t> (begin) + at, 0});
-      runs_.back().length += end - at;
-      std::fill (&row.run_at[begin + at],
-                 row.run_at.data() + begin + end,
-                 static_cast<std::uint32_t> (runs_.size() - 1));
-      rest &= ~0u << end;
-    }
+  std::size_t open = runs_.size();
+  for (std::size_t block = 0; block < row.bits.size(); ++block, first += block_size) {
+    const RunBits& bits = row.bits[block];
+    if (bits.inside == 0)
+      continue;
+    const unsigned linked_after =
+        block + 1 < row.bits.size() ? row.bits[block + 1].linked : 0;
+    const unsigned linked_to = (bits.linked | linked_after << block_size) >> 1;
+    std::uint32_t* run_from = &row.run_from[block * block_size];
+    *run_from = static_cast<std::uint32_t> (runs_.size() - 1);
+    forEachBit (bits.inside & ~unsigned{bits.linked}, [&] (unsigned at) {
+      run_from[at] = static_cast<std::uint32_t> (runs_.size());
+      runs_.push_back ({first + at, 0});
+    });
+    forEachBit (bits.inside & ~linked_to, [&] (unsigned at) {
+      runs_[open].length = first + at + 1 - runs_[open].first;
+      ++open;
+    });
   }
+}
+
+std::uint32_t
+LinkedRuns::Row::runAt (std::size_t block, unsigned at) const
+{
+  const unsigned starts = (bits[block].inside & ~unsigned{bits[block].linked}) | 1u;
+  return run_from[block * block_size + highestBit (starts & ((2u << at) - 1u))];
 }
 
 void
 LinkedRuns::join (const Row& above, const Row& row)
 {
+  unsigned is_last_joined = 0;
   for (std::size_t block = 0; block < row.bits.size(); ++block) {
     const RunBits &bits = row.bits[block], &bits_above = above.bits[block];
     const unsigned joined = bits.to_above & bits.inside & bits_above.inside;
     // Points that go on with the same two runs as those before join nothing new.
-    unsigned joins = joined & ~(joined << 1 & bits.linked & bits_above.linked);
-    for (; joins != 0; joins &= joins - 1) {
-      const std::size_t at = block * block_size + lowestBit (joins);
-      sets_.join (above.run_at[at], row.run_at[at]);
-    }
+    const unsigned joined_before = joined << 1 | is_last_joined;
+    forEachBit (
+        joined & ~(joined_before & bits.linked & bits_above.linked), [&] (unsigned at) {
+          sets_.join (above.runAt (block, at), row.runAt (block, at));
+        });
+    is_last_joined = joined >> (block_size - 1);
   }
 }
 

@@ -78,8 +78,12 @@ public:
 
 private:
   struct Row {
+    std::uint32_t
+    runAt (std::size_t block, unsigned at) const;
+
     std::vector<RunBits> bits;
-    std::vector<std::uint32_t> run_at; // of each point inside
+    /** The run of each point that starts one, and of the first one of each block. */
+    std::vector<std::uint32_t> run_from;
   };
 
   void
