@@ -60,7 +60,7 @@ octagonOf (const std::vector<Vector2f>& points)
   octagon.fill (points.front());
   for (const auto& point : points) {
     const Eigen::Array4f height = heights (point);
-    if ((height <= high && height >= low).all())
+    if ((high - height).min (height - low).minCoeff() >= 0.f)
       continue;
     for (std::size_t k = 0; k < 4; ++k) {
       if (height[k] > high[k])
@@ -80,17 +80,24 @@ void
 dropInnerPoints (std::vector<Vector2f>& points)
 {
   const std::array<Vector2f, 8> octagon = octagonOf (points);
-  const auto isInside = [&] (const Vector2f& point) {
-    bool has_sides = false;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const Vector2f &a = octagon[k], &b = octagon[(k + 1) % 8];
-      if (a == b)
-        continue;
-      if (cross (a, b, point) <= 0.f)
-        return false;
-      has_sides = true;
+  // All sides at once: where they begin, and the way to their ends. Those of length 0 are like
+  // the one before, which the second round knows for the first ones.
+  using Sides = Eigen::Array<float, 8, 1>;
+  Sides x = Sides::Zero(), y = x, way_x = x, way_y = x;
+  Vector2f begin = octagon[0], way = Vector2f::Zero();
+  for (Eigen::Index k = 0; k < 16; ++k) {
+    const Vector2f &a = octagon[k % 8], &b = octagon[(k + 1) % 8];
+    if (a != b) {
+      begin = a;
+      way = b - a;
     }
-    return has_sides;
+    x[k % 8] = begin.x();
+    y[k % 8] = begin.y();
+    way_x[k % 8] = way.x();
+    way_y[k % 8] = way.y();
+  }
+  const auto isInside = [&] (const Vector2f& point) {
+    return (way_x * (point.y() - y) - way_y * (point.x() - x)).minCoeff() > 0.f;
   };
   points.erase (std::remove_if (points.begin(), points.end(), isInside), points.end());
 }

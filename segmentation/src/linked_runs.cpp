@@ -91,10 +91,10 @@ LinkedRuns::join (const Row& above, const Row& row)
     const unsigned joined = bits.to_above & bits.inside & bits_above.inside;
     // Points that go on with the same two runs as those before join nothing new.
     const unsigned joined_before = joined << 1 | is_last_joined;
-    forEachBit (
-        joined & ~(joined_before & bits.linked & bits_above.linked), [&] (unsigned at) {
-          sets_.join (above.runAt (block, at), row.runAt (block, at));
-        });
+    forEachBit (joined & ~(joined_before & bits.linked & bits_above.linked),
+                [&] (unsigned at) {
+                  sets_.join (above.runAt (block, at), row.runAt (block, at));
+                });
     is_last_joined = joined >> (block_size - 1);
   }
 }
