@@ -96,6 +96,8 @@ placesOf (const Points& p,
       hn::And (isMeasured (squared_range), hn::Le (squared_range, set (farthest)));
   auto place = hn::Set (Ints(), 1);
   for (std::size_t number = 0; number < planes.size(); ++number) {
+    if (hn::AllFalse (Floats(), is_open))
+      break;
     const SupportPlane& support = *planes[number];
     const V projection = dot (equationOf (support.plane), p);
     const V height =

@@ -132,26 +132,27 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
 std::ptrdiff_t
 ObjectClusters::stepUpwards (std::uint32_t i) const
 {
-  const float right = riseOfRays (i, 1), down = riseOfRays (i, points_.width);
+  const float elevation = elevationOf (i);
+  // By how much it grows with a step; 0 where no pixel beside is measured.
+  const auto rise = [&] (std::ptrdiff_t step) {
+    for (const int side : {1, -1}) {
+      const std::uint32_t k = next (i, side * step);
+      if (k != i && isMeasured (points_[k]))
+        return static_cast<float> (side) * (elevationOf (k) - elevation);
+    }
+    return 0.f;
+  };
+  const float right = rise (1), down = rise (points_.width);
   const bool along_row = std::fabs (right) > std::fabs (down);
   return (along_row ? 1 : points_.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
 }
 
-/** By how much the sine of the elevation of rays grows with \a step; 0 where no pixel beside \a i
- * is measured. */
+/** The sine of the angle between a ray and the supporting planes. */
 float
-ObjectClusters::riseOfRays (std::uint32_t i, std::ptrdiff_t step) const
+ObjectClusters::elevationOf (std::uint32_t i) const
 {
-  const auto elevation = [this] (std::uint32_t k) {
-    const Eigen::Map<const Eigen::Vector3f> p (points_[k]);
-    return bases_.back()->plane.normal.dot (p) / p.norm();
-  };
-  for (const int side : {1, -1}) {
-    const std::uint32_t k = next (i, side * step);
-    if (k != i && isMeasured (points_[k]))
-      return static_cast<float> (side) * (elevation (k) - elevation (i));
-  }
-  return 0.f;
+  const Eigen::Map<const Eigen::Vector3f> p (points_[i]);
+  return bases_.back()->plane.normal.dot (p) / p.norm();
 }
 
 /** The pixel itself at the border of the image. */

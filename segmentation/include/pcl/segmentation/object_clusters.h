@@ -114,7 +114,7 @@ private:
   stepUpwards (std::uint32_t i) const;
 
   float
-  riseOfRays (std::uint32_t i, std::ptrdiff_t step) const;
+  elevationOf (std::uint32_t i) const;
 
   std::uint32_t
   next (std::uint32_t i, std::ptrdiff_t step) const;
