@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "hull_kernels.h"
+
 #include <pcl/segmentation/convex_outline.h>
 
 #include <algorithm>
@@ -48,29 +50,18 @@ sortByX (std::vector<Vector2f>& points)
   });
 }
 
-/** The points furthest out in eight directions, counterclockwise. */
+/** The points furthest out in eight directions, counterclockwise. Appends copies of the last
+ * one until they fill vectors. */
 std::array<Vector2f, 8>
-octagonOf (const std::vector<Vector2f>& points)
+octagonOf (std::vector<Vector2f>& points)
 {
-  const auto heights = [] (const Vector2f& p) {
-    return Eigen::Array4f (p.x(), p.x() + p.y(), p.y(), p.y() - p.x());
-  };
-  Eigen::Array4f high = heights (points.front()), low = high;
+  points.resize ((points.size() + hull_block - 1) / hull_block * hull_block,
+                 Vector2f (points.back()));
+  const auto furthest = findOctagon (points.data()->data(), points.size());
   std::array<Vector2f, 8> octagon;
-  octagon.fill (points.front());
-  for (const auto& point : points) {
-    const Eigen::Array4f height = heights (point);
-    if ((high - height).min (height - low).minCoeff() >= 0.f)
-      continue;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (height[k] > high[k])
-        octagon[k] = point;
-      if (height[k] < low[k])
-        octagon[k + 4] = point;
-    }
-    high = high.max (height);
-    low = low.min (height);
-  }
+  std::transform (furthest.begin(), furthest.end(), octagon.begin(), [&] (auto point) {
+    return points[point];
+  });
   return octagon;
 }
 
@@ -80,26 +71,12 @@ void
 dropInnerPoints (std::vector<Vector2f>& points)
 {
   const std::array<Vector2f, 8> octagon = octagonOf (points);
-  // All sides at once: where they begin, and the way to their ends. Those of length 0 are like
-  // the one before, which the second round knows for the first ones.
-  using Sides = Eigen::Array<float, 8, 1>;
-  Sides x = Sides::Zero(), y = x, way_x = x, way_y = x;
-  Vector2f begin = octagon[0], way = Vector2f::Zero();
-  for (Eigen::Index k = 0; k < 16; ++k) {
-    const Vector2f &a = octagon[k % 8], &b = octagon[(k + 1) % 8];
-    if (a != b) {
-      begin = a;
-      way = b - a;
-    }
-    x[k % 8] = begin.x();
-    y[k % 8] = begin.y();
-    way_x[k % 8] = way.x();
-    way_y[k % 8] = way.y();
-  }
-  const auto isInside = [&] (const Vector2f& point) {
-    return (way_x * (point.y() - y) - way_y * (point.x() - x)).minCoeff() > 0.f;
-  };
-  points.erase (std::remove_if (points.begin(), points.end(), isInside), points.end());
+  if (std::all_of (octagon.begin(), octagon.end(), [&] (const Vector2f& corner) {
+        return corner == octagon.front();
+      }))
+    return;
+  points.resize (
+      dropInside (octagon.front().data(), points.data()->data(), points.size()));
 }
 
 } // namespace
