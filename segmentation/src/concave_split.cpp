@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "cut_kernels.h"
+#include <hwy/cache_control.h>
 
 #include <pcl/segmentation/concave_split.h>
 
@@ -14,6 +15,8 @@ namespace {
 
 /** Parts have so many times the least number of points of an object. */
 constexpr unsigned min_part = 2;
+/** Normals are fetched before so many runs. */
+constexpr std::size_t runs_ahead = 4;
 
 } // namespace
 
@@ -62,6 +65,12 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
 {
   image_.resize (points.width, points.height);
   part_.resize (image_.owner.size());
+  // They have left the cache since they were computed, and runs are too short for it to see
+  // which come next.
+  const auto prefetchNormals = [&] (const PointRun& run) {
+    for (std::uint32_t i = run.first; i < run.first + run.length; i += image_.step())
+      hwy::Prefetch (normals.normal + i * normals.stride);
+  };
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     const auto addCell = [&] (const PointRun& part, std::uint32_t i) {
       if (image_.owner[i] != 0)
@@ -77,8 +86,12 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
       image_.normal_z[i] = normal[2];
       part_[i] = 0;
     };
-    for (const PointRun& run : clusters[k].runs)
-      image_.forEachCell (run, addCell);
+    const auto& runs = clusters[k].runs;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      if (r + runs_ahead < runs.size())
+        prefetchNormals (runs[r + runs_ahead]);
+      image_.forEachCell (runs[r], addCell);
+    }
   }
 }
 
