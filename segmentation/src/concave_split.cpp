@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "object_kernels.h"
+#include "cut_kernels.h"
+#include <hwy/cache_control.h>
 
 #include <pcl/segmentation/concave_split.h>
 
@@ -14,6 +15,8 @@ namespace {
 
 /** Parts have so many times the least number of points of an object. */
 constexpr unsigned min_part = 2;
+/** Normals are fetched before so many runs. */
+constexpr std::size_t runs_ahead = 4;
 
 } // namespace
 
@@ -28,9 +31,9 @@ ClusterImage::resize (int width, int height)
   const std::uint32_t columns = (width_ >> shift_) + 1;
   stride_ = (columns + margin + block_size - 1) / block_size * block_size;
   first_ = margin * stride_ + block_size;
-  const std::size_t rows =
-      (static_cast<std::size_t> (height) >> shift_) + 1 + 2 * margin;
-  const std::size_t size = rows * stride_ + 2 * block_size;
+  rows_ = (static_cast<std::uint32_t> (height) >> shift_) + 1;
+  const std::size_t size =
+      std::size_t{rows_ + 2 * margin} * stride_ + 2 * std::size_t{block_size};
   for (auto* values : {&x, &y, &z, &normal_x, &normal_y, &normal_z})
     values->resize (size);
   owner.assign (size, 0);
@@ -47,10 +50,9 @@ ConcaveSplit::compute (const OrganizedPoints& points,
 {
   parameters_ = parameters;
   layOut (points, normals, clusters);
-  markCuts (
-      image_, pixel_angle * static_cast<float> (image_.step()), parameters.noise, cut_);
-  joinUncut();
-  startParts (clusters);
+  findPatches (pixel_angle);
+  countParts (clusters.size());
+  startParts();
   growParts();
   collect (clusters);
   settle (points, planes, supports);
@@ -62,136 +64,143 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
                       const std::vector<ObjectCluster>& clusters)
 {
   image_.resize (points.width, points.height);
-  places_.clear();
-  first_place_.clear();
+  part_.resize (image_.owner.size());
+  // They have left the cache since they were computed, and runs are too short for it to see
+  // which come next.
+  const auto prefetchNormals = [&] (const PointRun& run) {
+    for (std::uint32_t i = run.first; i < run.first + run.length; i += image_.step())
+      hwy::Prefetch (normals.normal + i * normals.stride);
+  };
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    first_place_.push_back (places_.size());
-    image_.forEachPlace (
-        clusters[k].indices, [&] (std::uint32_t point, std::uint32_t i) {
-          if (image_.owner[i] != 0)
-            return;
-          const float* p = points[point];
-          const float* normal = normals.normal + point * normals.stride;
-          places_.push_back (i);
-          image_.owner[i] = static_cast<std::uint32_t> (k + 1);
-          image_.x[i] = p[0];
-          image_.y[i] = p[1];
-          image_.z[i] = p[2];
-          image_.normal_x[i] = normal[0];
-          image_.normal_y[i] = normal[1];
-          image_.normal_z[i] = normal[2];
-        });
-  }
-  first_place_.push_back (places_.size());
-}
-
-template <typename Visit>
-void
-ConcaveSplit::visitNeighbours (std::uint32_t i, const Visit& visit) const
-{
-  for (const std::uint32_t j : {i - image_.stride(), i - 1, i + 1, i + image_.stride()})
-    if (image_.owner[j] == image_.owner[i])
-      visit (j);
-}
-
-void
-ConcaveSplit::joinUncut()
-{
-  sets_.resize (image_.size());
-  patch_size_.resize (image_.size());
-  const std::uint32_t stride = image_.stride();
-  for (const std::uint32_t i : places_) {
-    patch_size_[i] = 0;
-    sets_.add (i);
-  }
-  for (const std::uint32_t i : places_) {
-    if (cut_[i])
-      continue;
-    const auto isOfPatch = [&] (std::uint32_t j) {
-      return image_.owner[j] == image_.owner[i] && !cut_[j];
+    const auto addCell = [&] (const PointRun& part, std::uint32_t i) {
+      if (image_.owner[i] != 0)
+        return;
+      const float* p = points[part.first];
+      const float* normal = normals.normal + part.first * normals.stride;
+      image_.owner[i] = static_cast<std::uint32_t> (k + 1);
+      image_.x[i] = p[0];
+      image_.y[i] = p[1];
+      image_.z[i] = p[2];
+      image_.normal_x[i] = normal[0];
+      image_.normal_y[i] = normal[1];
+      image_.normal_z[i] = normal[2];
+      part_[i] = 0;
     };
-    const bool left = isOfPatch (i - 1), above = isOfPatch (i - stride);
-    if (left)
-      sets_.join (i - 1, i);
-    if (above && !(left && isOfPatch (i - stride - 1))) // by which they are joined
-      sets_.join (i - stride, i);
+    const auto& runs = clusters[k].runs;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      if (r + runs_ahead < runs.size())
+        prefetchNormals (runs[r + runs_ahead]);
+      image_.forEachCell (runs[r], addCell);
+    }
   }
-  for (const std::uint32_t i : places_)
-    if (!cut_[i])
-      ++patch_size_[sets_.root (i)];
 }
 
-/** Makes a part of each large patch; a cluster without any is one part. */
 void
-ConcaveSplit::startParts (const std::vector<ObjectCluster>& clusters)
+ConcaveSplit::findPatches (float pixel_angle)
+{
+  const float cell_angle = pixel_angle * static_cast<float> (image_.step());
+  runs_.start (image_.stride());
+  for (std::uint32_t row = image_.begin(); row < image_.end(); row += image_.stride()) {
+    findUncut (image_, row, cell_angle, parameters_.noise, runs_.bits());
+    runs_.addRow (row);
+  }
+  patches_.assign (runs_.runs().size(), {});
+  for (std::uint32_t k = 0; k < patches_.size(); ++k)
+    patches_[runs_.root (k)].cells += runs_.runs()[k].length;
+}
+
+/** Each large patch becomes a part; a cluster without any is one part. */
+void
+ConcaveSplit::countParts (std::size_t clusters)
 {
   const std::uint32_t min_cells =
       min_part * parameters_.min_points / (image_.step() * image_.step());
-  part_.resize (image_.size());
-  part_support_.clear();
-  first_part_.clear();
+  first_part_.assign (clusters + 1, 0);
+  for (std::uint32_t k = 0; k < patches_.size(); ++k)
+    if (runs_.root (k) == k && patches_[k].cells >= min_cells)
+      patches_[k].part = ++first_part_[image_.owner[runs_.runs()[k].first]];
+  first_part_[0] = 1;
+  for (std::size_t k = 1; k <= clusters; ++k)
+    first_part_[k] = first_part_[k - 1] + std::max (first_part_[k], 1u);
+}
+
+void
+ConcaveSplit::startParts()
+{
   queue_.clear();
-  for (std::size_t k = 0; k < clusters.size(); ++k) {
-    const std::size_t before = part_support_.size();
-    first_part_.push_back (static_cast<std::uint32_t> (before + 1));
-    for (std::size_t place = first_place_[k]; place < first_place_[k + 1]; ++place) {
-      const std::uint32_t i = places_[place];
-      part_[i] = 0;
-      if (cut_[i] || sets_.root (i) != i || patch_size_[i] < min_cells)
-        continue;
-      part_support_.push_back (clusters[k].support);
-      part_[i] = static_cast<std::uint32_t> (part_support_.size());
-    }
-    if (part_support_.size() == before)
-      part_support_.push_back (clusters[k].support);
-  }
-  for (const std::uint32_t i : places_) {
-    part_[i] = cut_[i] ? 0 : part_[sets_.root (i)];
-    if (part_[i] != 0)
+  for (std::uint32_t k = 0; k < patches_.size(); ++k) {
+    const PointRun& run = runs_.runs()[k];
+    const std::size_t cluster = image_.owner[run.first] - 1;
+    const std::uint32_t part = patches_[runs_.root (k)].part;
+    if (!isSplit (cluster) || part == 0)
+      continue;
+    for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
+      part_[i] = first_part_[cluster] + part - 1;
       queue_.push_back (i);
+    }
   }
 }
 
+/** All other cells of the clusters that are split join the nearest part. */
 void
 ConcaveSplit::growParts()
 {
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     const std::uint32_t i = queue_[next];
-    visitNeighbours (i, [&] (std::uint32_t j) {
-      if (part_[j] != 0)
-        return;
+    for (const std::uint32_t j :
+         {i - image_.stride(), i - 1, i + 1, i + image_.stride()}) {
+      if (image_.owner[j] != image_.owner[i] || part_[j] != 0)
+        continue;
       part_[j] = part_[i];
       queue_.push_back (j);
-    });
+    }
   }
 }
 
 void
 ConcaveSplit::collect (const std::vector<ObjectCluster>& clusters)
 {
-  parts_.resize (part_support_.size());
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    parts_[k].indices.clear();
-    parts_[k].support = part_support_[k];
+  parts_.resize (first_part_.back() - 1);
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    for (std::uint32_t part = first_part_[k]; part < first_part_[k + 1]; ++part) {
+      parts_[part - 1].runs.clear();
+      parts_[part - 1].support = clusters[k].support;
+    }
+    if (!isSplit (k)) {
+      parts_[first_part_[k] - 1].runs = clusters[k].runs;
+      continue;
+    }
+    for (const PointRun& run : clusters[k].runs)
+      image_.forEachCell (run, [&] (const PointRun& in_cell, std::uint32_t i) {
+        // Cells without a part have none near them, or are of another cluster.
+        const bool has_part = image_.owner[i] == k + 1 && part_[i] != 0;
+        auto& runs = parts_[(has_part ? part_[i] : first_part_[k]) - 1].runs;
+        if (in_cell.first > run.first && !runs.empty() &&
+            runs.back().first + runs.back().length == in_cell.first)
+          runs.back().length += in_cell.length;
+        else
+          runs.push_back (in_cell);
+      });
   }
-  for (std::size_t k = 0; k < clusters.size(); ++k)
-    image_.forEachPlace (
-        clusters[k].indices, [&] (std::uint32_t point, std::uint32_t i) {
-          // Cells without a part have none near them, or are of another cluster.
-          const bool has_part = image_.owner[i] == k + 1 && part_[i] != 0;
-          parts_[(has_part ? part_[i] : first_part_[k]) - 1].indices.push_back (
-              static_cast<pcl::index_t> (point));
-        });
+}
+
+/** The part of the cell at place \a i, from 1 on, or 0. */
+std::uint32_t
+ConcaveSplit::partAt (std::uint32_t i) const
+{
+  if (image_.owner[i] == 0)
+    return 0;
+  const std::size_t cluster = image_.owner[i] - 1;
+  return isSplit (cluster) ? part_[i] : first_part_[cluster];
 }
 
 /** The part that most of a plane belongs to, from 1 on, or 0. */
 std::uint32_t
 ConcaveSplit::partWithPlane (const pcl::Indices& inliers)
 {
-  plane_points_.assign (part_support_.size() + 1, 0);
-  image_.forEachPlace (inliers, [&] (std::uint32_t, std::uint32_t i) {
-    ++plane_points_[image_.owner[i] != 0 ? part_[i] : 0];
-  });
+  plane_points_.assign (parts_.size() + 1, 0);
+  for (const auto index : inliers)
+    ++plane_points_[partAt (image_.placeOf (static_cast<std::uint32_t> (index)))];
   const auto most = std::max_element (plane_points_.begin() + 1, plane_points_.end());
   constexpr double nearly_all = 0.8;
   if (most == plane_points_.end() ||
@@ -210,8 +219,7 @@ ConcaveSplit::settle (const OrganizedPoints& points,
       continue;
     const std::uint32_t part = partWithPlane (*planes[supports[k].index].inliers);
     for (std::size_t c = 0; part != 0 && c < parts_.size(); ++c)
-      if (c + 1 != part &&
-          liesAbove (points, parts_[c].indices, supports[k], parameters_))
+      if (c + 1 != part && liesAbove (points, parts_[c].runs, supports[k], parameters_))
         parts_[c].support = k;
   }
 }

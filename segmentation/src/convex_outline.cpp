@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "hull_kernels.h"
+
 #include <pcl/segmentation/convex_outline.h>
 
 #include <algorithm>
@@ -48,29 +50,18 @@ sortByX (std::vector<Vector2f>& points)
   });
 }
 
-/** The points furthest out in eight directions, counterclockwise. */
+/** The points furthest out in eight directions, counterclockwise. Appends copies of the last
+ * one until they fill vectors. */
 std::array<Vector2f, 8>
-octagonOf (const std::vector<Vector2f>& points)
+octagonOf (std::vector<Vector2f>& points)
 {
-  const auto heights = [] (const Vector2f& p) {
-    return Eigen::Array4f (p.x(), p.x() + p.y(), p.y(), p.y() - p.x());
-  };
-  Eigen::Array4f high = heights (points.front()), low = high;
+  points.resize ((points.size() + hull_block - 1) / hull_block * hull_block,
+                 Vector2f (points.back()));
+  const auto furthest = findOctagon (points.data()->data(), points.size());
   std::array<Vector2f, 8> octagon;
-  octagon.fill (points.front());
-  for (const auto& point : points) {
-    const Eigen::Array4f height = heights (point);
-    if ((height <= high && height >= low).all())
-      continue;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (height[k] > high[k])
-        octagon[k] = point;
-      if (height[k] < low[k])
-        octagon[k + 4] = point;
-    }
-    high = high.max (height);
-    low = low.min (height);
-  }
+  std::transform (furthest.begin(), furthest.end(), octagon.begin(), [&] (auto point) {
+    return points[point];
+  });
   return octagon;
 }
 
@@ -80,19 +71,12 @@ void
 dropInnerPoints (std::vector<Vector2f>& points)
 {
   const std::array<Vector2f, 8> octagon = octagonOf (points);
-  const auto isInside = [&] (const Vector2f& point) {
-    bool has_sides = false;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const Vector2f &a = octagon[k], &b = octagon[(k + 1) % 8];
-      if (a == b)
-        continue;
-      if (cross (a, b, point) <= 0.f)
-        return false;
-      has_sides = true;
-    }
-    return has_sides;
-  };
-  points.erase (std::remove_if (points.begin(), points.end(), isInside), points.end());
+  if (std::all_of (octagon.begin(), octagon.end(), [&] (const Vector2f& corner) {
+        return corner == octagon.front();
+      }))
+    return;
+  points.resize (
+      dropInside (octagon.front().data(), points.data()->data(), points.size()));
 }
 
 } // namespace
@@ -129,13 +113,16 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
     return;
   convexHull (points, corners_);
 
+  std::array<Vector2f, disc_corners> disc;
+  for (std::size_t k = 0; k < disc.size(); ++k) {
+    const auto angle =
+        static_cast<float> (2. * M_PI * static_cast<double> (k) / disc_corners);
+    disc[k] = tolerance * Vector2f (std::cos (angle), std::sin (angle));
+  }
   grown_.clear();
   for (const auto& corner : corners_)
-    for (int k = 0; k < disc_corners; ++k) {
-      const auto angle = static_cast<float> (2. * M_PI * k / disc_corners);
-      grown_.push_back (corner +
-                        tolerance * Vector2f (std::cos (angle), std::sin (angle)));
-    }
+    for (const auto& offset : disc)
+      grown_.push_back (corner + offset);
   sortByX (grown_);
   appendChain (grown_, 1.f, lower_.points);
   appendChain (grown_, -1.f, upper_.points);

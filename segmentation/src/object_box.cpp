@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 
 namespace pcl {
@@ -73,40 +73,37 @@ smallestRectangle (const std::vector<Eigen::Vector2f>& corners)
   return best;
 }
 
-/** The range of the values but for a few at either end: those in the bins of a histogram
- * where it ends are sorted. */
+/** The lowest one of \a values, times \a sign, but for \a few. */
+float
+lowestBut (std::size_t few, const std::vector<float>& values, float sign)
+{
+  // More values than a few are no higher than the lowest one of each group; not many are.
+  constexpr std::size_t groups = 8;
+  static_assert (trimmed_part * max_points < groups, "there are enough groups");
+  std::array<float, groups> lowest;
+  lowest.fill (std::numeric_limits<float>::max());
+  for (std::size_t i = 0; i + groups <= values.size(); i += groups)
+    for (std::size_t k = 0; k < groups; ++k)
+      lowest[k] = std::min (lowest[k], sign * values[i + k]);
+  const float bound = *std::max_element (lowest.begin(), lowest.end());
+  std::array<float, max_points> candidates{};
+  auto end = candidates.begin();
+  for (const float value : values) {
+    *end = sign * value;
+    end += *end <= bound;
+  }
+  const auto selected = candidates.begin() + static_cast<std::ptrdiff_t> (few);
+  std::nth_element (candidates.begin(), selected, end);
+  return *selected;
+}
+
+/** The range of the values but for a few at either end. */
 ObjectBoxFinder::Range
 trimmedRange (const std::vector<float>& values)
 {
-  constexpr std::size_t bins = 64;
-  const auto [lowest, highest] = std::minmax_element (values.begin(), values.end());
-  const float low = *lowest, bins_per_unit = bins / (*highest - low);
-  if (!std::isfinite (bins_per_unit))
-    return {low, *highest};
-  std::array<std::uint16_t, bins> counts{};
-  std::array<std::uint8_t, max_points> bin_of;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    bin_of[i] = static_cast<std::uint8_t> (
-        std::min ((values[i] - low) * bins_per_unit, bins - 1.f));
-    ++counts[bin_of[i]];
-  }
-  std::array<float, max_points> in_bin;
-  const auto select = [&] (std::size_t rank) {
-    std::size_t bin = 0;
-    for (; rank >= counts[bin]; ++bin)
-      rank -= counts[bin];
-    auto end = in_bin.begin();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      *end = values[i];
-      end += bin_of[i] == bin;
-    }
-    const auto selected = in_bin.begin() + static_cast<std::ptrdiff_t> (rank);
-    std::nth_element (in_bin.begin(), selected, end);
-    return *selected;
-  };
-  const auto trimmed =
+  const auto few =
       static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
-  return {select (trimmed), select (values.size() - 1 - trimmed)};
+  return {lowestBut (few, values, 1.f), -lowestBut (few, values, -1.f)};
 }
 
 /** The mean of some values. */

@@ -3,12 +3,12 @@
 
 #include "link_kernels.h"
 #include "object_kernels.h"
+#include "run_kernels.h"
 
 #include <pcl/segmentation/object_clusters.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -31,7 +31,8 @@ ObjectClusters::compute (const OrganizedPoints& points,
   points_ = points;
   supports_ = &supports;
   parameters_ = parameters;
-  runs_.clear();
+  runs_.start (static_cast<std::size_t> (points.width));
+  set_of_run_.clear();
   sums_.clear();
   if (!supports.empty()) {
     measurePixelAngle();
@@ -81,14 +82,13 @@ ObjectClusters::linkLimit() const
 void
 ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
 {
-  constexpr std::size_t max_bases = surely_above - above;
+  constexpr std::size_t max_bases = maybe_above - above;
   bases_.clear();
   for (const SupportPlane& support : *supports_)
     if (!support.is_on_object && bases_.size() < max_bases)
       bases_.push_back (&support);
   // What fills up the last block of a row is in the next one, which is placed later.
   place_.resize (points_.size() + PointRow::block_size);
-  run_above_.resize (static_cast<std::size_t> (points_.width));
   const LinkLimit limit = linkLimit();
   rows_[1].load (points_, 0);
   has_above_.resize (rows_[1].blocks());
@@ -99,46 +99,35 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
     row.load (points_, v);
     const auto first = static_cast<std::uint32_t> (v * points_.width);
     placeRow (row, v, bases_, parameters_, &place_[first], has_above_.data());
+    settleRow (first, selected);
     linkRow (
         row, row_above, limit, has_above_.data(), to_left_.data(), to_above_.data());
-    joinRow (first, selected);
+    findRunBits (&place_[first],
+                 &place_[next (first, -points_.width)],
+                 outside,
+                 to_left_.data(),
+                 to_above_.data(),
+                 has_above_.data(),
+                 runs_.bits());
+    runs_.addRow (first);
   }
 }
 
+/** Decides where the points of a row are that may be above one of the bases. */
 void
-ObjectClusters::joinRow (std::uint32_t first, const std::vector<std::uint8_t>& selected)
+ObjectClusters::settleRow (std::uint32_t first,
+                           const std::vector<std::uint8_t>& selected)
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
   if (!selected.empty())
-    for (std::uint32_t u = 0; u < width; ++u)
-      if (!selected[first + u])
-        place_[first + u] = nowhere;
-  for (std::uint32_t u = 0; u < width; ++u) {
-    if (u % PointRow::block_size == 0 && !has_above_[u / PointRow::block_size]) {
-      u += PointRow::block_size - 1;
-      continue;
-    }
-    const std::uint32_t i = first + u;
-    if (place_[i] < above)
-      continue;
-    if (place_[i] >= surely_above)
-      place_[i] = static_cast<std::uint8_t> (place_[i] - surely_above);
-    else
-      place_[i] = settle (i, place_[i] - std::size_t{above});
-    if (place_[i] < above)
-      continue;
-    auto run = static_cast<std::uint32_t> (runs_.size());
-    if (u > 0 && place_[i - 1] == place_[i] && to_left_[u])
-      --run;
-    else {
-      sets_.resize (run + std::size_t{1});
-      sets_.add (run);
-      runs_.push_back ({i, 0, 0});
-    }
-    ++runs_[run].length;
-    if (first > 0 && place_[i - width] == place_[i] && to_above_[u])
-      sets_.join (run_above_[u], run);
-    run_above_[u] = run;
+    for (std::uint32_t i = first; i < first + width; ++i)
+      if (!selected[i])
+        place_[i] = nowhere;
+  for (const std::uint8_t kind : has_above_) {
+    for (std::uint32_t i = first; kind > 1 && i < first + PointRow::block_size; ++i)
+      if (place_[i] >= maybe_above)
+        place_[i] = settle (i, place_[i] - std::size_t{maybe_above + above});
+    first += PointRow::block_size;
   }
 }
 
@@ -195,21 +184,14 @@ ObjectClusters::collect()
     if (sums.cluster == none)
       continue;
     clusters_.resize (std::max (clusters_.size(), count));
-    clusters_[sums.cluster].indices.clear();
-    clusters_[sums.cluster].indices.reserve (sums.points);
+    clusters_[sums.cluster].runs.clear();
     clusters_[sums.cluster].support = sums.support;
   }
   clusters_.resize (count);
-  for (const Run& run : runs_) {
-    const std::size_t cluster = sums_[run.set].cluster;
-    if (cluster == none)
-      continue;
-    auto& indices = clusters_[cluster].indices;
-    const std::size_t before = indices.size();
-    indices.resize (before + run.length);
-    std::iota (indices.begin() + static_cast<std::ptrdiff_t> (before),
-               indices.end(),
-               static_cast<pcl::index_t> (run.first));
+  for (std::size_t k = 0; k < set_of_run_.size(); ++k) {
+    const std::size_t cluster = sums_[set_of_run_[k]].cluster;
+    if (cluster != none)
+      clusters_[cluster].runs.push_back (runs_.runs()[k]);
   }
 }
 

@@ -5,29 +5,29 @@
 
 #include "plane_kernels.h"
 
-#include <pcl/segmentation/concave_split.h>
 #include <pcl/segmentation/object_parameters.h>
 #include <pcl/segmentation/point_row.h>
+#include <pcl/segmentation/support_planes.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
 
-/** Added to the place of a point that is over the octagon in the outline of its plane, and
- * under no plane before. */
-constexpr std::uint8_t surely_above = 128;
+/** Added to the place of a point that lies over the bounds of the outline of its plane, but may
+ * be outside of the outline itself, or under a plane before. */
+constexpr std::uint8_t maybe_above = 128;
 
 /** For each measured point, the first of \a planes to which it is no further than the
  * largest height of an object, and over whose outline's bounds it lies if it does not lie on
  * the plane.
  * \param[in] v the number of the row in the image, for the warp of the planes
  * \param[out] places 0 where the point is on that plane within noise, 1 where there is no
- * such plane, 2 + k where it is above the plane number k, \ref surely_above
- * more where that is certain
- * \param[out] has_above whether there is a point above a plane, for each block of the row
+ * such plane, 2 + k where it is above the plane number k, \ref maybe_above more where
+ * that is not certain
+ * \param[out] has_above for each block of the row, 0 where no point is above a plane, 1 where
+ * some are for certain, 2 where some may be
  */
 void
 placeRow (const PointRow& row,
@@ -36,17 +36,6 @@ placeRow (const PointRow& row,
           const ObjectParameters& parameters,
           std::uint8_t* places,
           std::uint8_t* has_above);
-
-/** Cuts points of clusters where, of two points of the cluster on opposite sides, one lies
- * above the tangent plane of the other.
- * \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians
- * \param[out] cut whether each point of the image is cut, where it has an owner
- */
-void
-markCuts (const ClusterImage& image,
-          float pixel_angle,
-          const DepthNoise& noise,
-          std::vector<std::uint8_t>& cut);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -33,28 +34,43 @@ constexpr double may_be_hidden = 0.5;
 void
 ObjectClusters::sumUp()
 {
+  findSets();
+  const auto forEachRun = [this] (const auto& use) {
+    for (std::size_t k = 0; k < set_of_run_.size(); ++k)
+      use (runs_.runs()[k], sums_[set_of_run_[k]]);
+  };
+  forEachRun ([this] (const PointRun& run, Sums& sums) {
+    if (isLarge (sums) && !isClear (sums))
+      sums.clear += clearPoints (run, (*supports_)[sums.support]);
+  });
   const LinkLimit limit = linkLimit();
-  for (std::uint32_t k = 0; k < runs_.size(); ++k) {
-    Run& run = runs_[k];
-    const std::uint32_t root = sets_.root (k);
+  forEachRun ([&] (const PointRun& run, Sums& sums) {
+    if (isLarge (sums) && isClear (sums))
+      countLeaksAndTops (run, limit, sums);
+  });
+}
+
+/** Which runs hang together, and how many points these have. */
+void
+ObjectClusters::findSets()
+{
+  for (const PointRun& run : runs_.runs()) {
+    const auto k = static_cast<std::uint32_t> (set_of_run_.size());
+    const std::uint32_t root = runs_.root (k);
     if (root == k) {
-      run.set = sums_.size();
+      set_of_run_.push_back (static_cast<std::uint32_t> (sums_.size()));
       sums_.emplace_back();
       sums_.back().support = static_cast<std::size_t> (
           bases_[place_[run.first] - std::size_t{above}] - supports_->data());
     }
     else
-      run.set = runs_[root].set;
-    Sums& sums = sums_[run.set];
-    sums.points += run.length;
-    sums.clear += clearPoints (run, (*supports_)[sums.support]);
-    sums.leaks += leaks (run, limit);
-    countTops (run, limit, sums);
+      set_of_run_.push_back (set_of_run_[root]);
+    sums_[set_of_run_.back()].points += run.length;
   }
 }
 
 std::size_t
-ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
+ObjectClusters::clearPoints (const PointRun& run, const SupportPlane& support) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
   const std::uint32_t v = run.first / width, u = run.first % width;
@@ -68,64 +84,75 @@ ObjectClusters::clearPoints (const Run& run, const SupportPlane& support) const
   return count;
 }
 
-std::size_t
-ObjectClusters::leaks (const Run& run, const LinkLimit& limit) const
+template <typename Visit>
+void
+ObjectClusters::visitMargin (const PointRun& run, const Visit& visit) const
 {
-  const std::uint32_t last = run.first + run.length - 1;
-  std::size_t count = 0;
-  for (std::uint32_t i = run.first; i <= last; ++i) {
-    const auto leaksTo = [&] (std::ptrdiff_t step) {
-      const std::uint32_t j = next (i, step);
-      return place_[j] == outside && limit.allows (points_[i], points_[j]);
-    };
-    count += leaksTo (-points_.width) || leaksTo (points_.width) ||
-             (i == run.first && leaksTo (-1)) || (i == last && leaksTo (1));
+  constexpr std::uint32_t at_once = 8;
+  const std::uint8_t* own = &place_[run.first];
+  const std::uint8_t* up = &place_[next (run.first, -points_.width)];
+  const std::uint8_t* down = &place_[next (run.first, points_.width)];
+  for (std::uint32_t k = 0; k < run.length; ++k) {
+    while (k > 0 && k + at_once < run.length &&
+           std::memcmp (own + k, up + k, at_once) == 0 &&
+           std::memcmp (own + k, down + k, at_once) == 0)
+      k += at_once;
+    if (k == 0 || k + 1 == run.length || own[k] != up[k] || own[k] != down[k])
+      visit (run.first + k);
   }
-  return count;
 }
 
 void
-ObjectClusters::countTops (const Run& run, const LinkLimit& limit, Sums& sums) const
+ObjectClusters::countLeaksAndTops (const PointRun& run,
+                                   const LinkLimit& limit,
+                                   Sums& sums) const
 {
   const std::ptrdiff_t step = stepUpwards (run.first);
-  for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
+  visitMargin (run, [&] (std::uint32_t i) {
+    const auto leaksTo = [&] (std::ptrdiff_t step_to) {
+      const std::uint32_t j = next (i, step_to);
+      return place_[j] == outside && limit.allows (points_[i], points_[j]);
+    };
+    sums.leaks += leaksTo (-points_.width) || leaksTo (points_.width) ||
+                  (i == run.first && leaksTo (-1)) ||
+                  (i == run.first + run.length - 1 && leaksTo (1));
     std::uint32_t last = i, k = next (i, step);
     for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
          k = next (k, step))
       last = k;
     if (k == last || place_[k] == place_[i])
-      continue;
-    const float *top = points_[i], *other = points_[k];
+      return;
     ++sums.tops;
-    sums.hidden_tops +=
-        squaredRange (other) < squaredRange (top) && !limit.allows (top, other);
-  }
+    sums.hidden_tops += squaredRange (points_[k]) < squaredRange (points_[i]) &&
+                        !limit.allows (points_[i], points_[k]);
+  });
 }
 
 /** From pixel \a i to the one beside it whose ray points highest. */
 std::ptrdiff_t
 ObjectClusters::stepUpwards (std::uint32_t i) const
 {
-  const float right = riseOfRays (i, 1), down = riseOfRays (i, points_.width);
+  const float elevation = elevationOf (i);
+  // By how much it grows with a step; 0 where no pixel beside is measured.
+  const auto rise = [&] (std::ptrdiff_t step) {
+    for (const int side : {1, -1}) {
+      const std::uint32_t k = next (i, side * step);
+      if (k != i && isMeasured (points_[k]))
+        return static_cast<float> (side) * (elevationOf (k) - elevation);
+    }
+    return 0.f;
+  };
+  const float right = rise (1), down = rise (points_.width);
   const bool along_row = std::fabs (right) > std::fabs (down);
   return (along_row ? 1 : points_.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
 }
 
-/** By how much the sine of the elevation of rays grows with \a step; 0 where no pixel beside \a i
- * is measured. */
+/** The sine of the angle between a ray and the supporting planes. */
 float
-ObjectClusters::riseOfRays (std::uint32_t i, std::ptrdiff_t step) const
+ObjectClusters::elevationOf (std::uint32_t i) const
 {
-  const auto elevation = [this] (std::uint32_t k) {
-    const Eigen::Map<const Eigen::Vector3f> p (points_[k]);
-    return bases_.back()->plane.normal.dot (p) / p.norm();
-  };
-  for (const int side : {1, -1}) {
-    const std::uint32_t k = next (i, side * step);
-    if (k != i && isMeasured (points_[k]))
-      return static_cast<float> (side) * (elevation (k) - elevation (i));
-  }
-  return 0.f;
+  const Eigen::Map<const Eigen::Vector3f> p (points_[i]);
+  return bases_.back()->plane.normal.dot (p) / p.norm();
 }
 
 /** The pixel itself at the border of the image. */
@@ -141,18 +168,28 @@ ObjectClusters::next (std::uint32_t i, std::ptrdiff_t step) const
 }
 
 bool
+ObjectClusters::isLarge (const Sums& sums) const
+{
+  return sums.points >= parameters_.min_points;
+}
+
+bool
+ObjectClusters::isClear (const Sums& sums) const
+{
+  const auto clear = static_cast<double> (sums.clear);
+  return clear >= clear_of_min_points * parameters_.min_points &&
+         clear >= clear_of_points * static_cast<double> (sums.points);
+}
+
+bool
 ObjectClusters::isObject (const Sums& sums) const
 {
-  const auto points = static_cast<double> (sums.points);
-  const auto clear = static_cast<double> (sums.clear);
-  return sums.points >= parameters_.min_points &&
-         clear >= clear_of_min_points * parameters_.min_points &&
-         clear >= clear_of_points * points &&
+  return isLarge (sums) && isClear (sums) &&
          static_cast<double> (sums.hidden_tops) <=
              may_be_hidden * static_cast<double> (sums.tops) &&
          static_cast<double> (sums.leaks) <=
              std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
-                 leaks_of_width * std::sqrt (points);
+                 leaks_of_width * std::sqrt (static_cast<double> (sums.points));
 }
 
 } // namespace rgbd_planes

@@ -29,13 +29,16 @@ PlaneWarp::compute (const OrganizedPoints& points,
   columns_ = blocksIn (points.width);
   rows_ = blocksIn (points.height);
   sums_.assign (columns_ * rows_, {});
+  const auto width = static_cast<std::size_t> (points.width);
+  std::size_t row = 0; // of the pixel before
   for (std::size_t k = 0; k < inliers.size(); k += sample_step) {
-    const float* p = points[static_cast<std::size_t> (inliers[k])];
+    const auto index = static_cast<std::size_t> (inliers[k]);
+    const float* p = points[index];
     if (!isMeasured (p))
       continue;
-    const auto u = static_cast<std::size_t> (inliers[k] % points.width / block_size);
-    const auto v = static_cast<std::size_t> (inliers[k] / points.width / block_size);
-    Sum& sum = sums_[v * columns_ + u];
+    if (index - row * width >= width) // also where it is less
+      row = index / width;
+    Sum& sum = sums_[row / block_size * columns_ + (index - row * width) / block_size];
     sum.heights += plane.distance (p);
     sum.points += 1.f;
   }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <random>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -15,7 +14,6 @@ namespace rgbd_planes {
 namespace {
 
 constexpr std::size_t ransac_points = 300;
-constexpr int ransac_trials = 30;
 /** Points further from a plane, in standard deviations of depth, do not agree with it. */
 constexpr float ransac_sigmas = 1.5f;
 constexpr std::size_t refit_points = 1000;
@@ -35,43 +33,42 @@ sigmasFrom (const Plane& plane, const Eigen::Vector3f& p, const DepthNoise& nois
   return std::fabs (plane.distance (p.data())) / noise.sigma (p.squaredNorm());
 }
 
-std::size_t
-countAgreeing (const Plane& plane,
-               const std::vector<Eigen::Vector3f>& sample,
-               const DepthNoise& noise)
-{
-  return static_cast<std::size_t> (
-      std::count_if (sample.begin(), sample.end(), [&] (const Eigen::Vector3f& p) {
-        return sigmasFrom (plane, p, noise) < ransac_sigmas;
-      }));
-}
-
-/** The plane through three points; its normal is NaN where they lie on a line. */
-Plane
-through (const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c)
-{
-  const Eigen::Vector3f cross = (b - a).cross (c - a);
-  Plane plane{cross / cross.norm(), 0.f};
-  plane.d = -plane.normal.dot (a);
-  if (plane.d < 0.f)
-    plane = {-plane.normal, -plane.d};
-  return plane;
-}
-
-/** Calls use (p) for some \a count of the measured inliers, evenly spread. */
+/** Calls use (index) for some \a count of the inliers, evenly spread. */
 template <typename Use>
 void
-sampleInliers (const OrganizedPoints& points,
-               const pcl::Indices& inliers,
-               std::size_t count,
-               const Use& use)
+sampleIndices (const pcl::Indices& inliers, std::size_t count, const Use& use)
 {
   const std::size_t step = std::max<std::size_t> (inliers.size() / count, 1);
-  for (std::size_t i = 0; i < inliers.size(); i += step) {
-    const float* p = points[static_cast<std::size_t> (inliers[i])];
-    if (isMeasured (p))
-      use (Eigen::Map<const Eigen::Vector3f> (p));
+  for (std::size_t i = 0; i < inliers.size(); i += step)
+    use (static_cast<std::size_t> (inliers[i]));
+}
+
+/** The same for runs. */
+template <typename Use>
+void
+sampleIndices (const std::vector<PointRun>& runs, std::size_t count, const Use& use)
+{
+  const std::size_t step = std::max<std::size_t> (pointsOf (runs) / count, 1);
+  std::size_t i = 0; // in the run at hand
+  for (const PointRun& run : runs) {
+    for (; i < run.length; i += step)
+      use (run.first + i);
+    i -= run.length;
   }
+}
+
+/** Calls use (p) for some \a count of the measured points of a thing, evenly spread. */
+template <typename Thing, typename Use>
+void
+samplePoints (const OrganizedPoints& points,
+              const Thing& thing,
+              std::size_t count,
+              const Use& use)
+{
+  sampleIndices (thing, count, [&] (std::size_t index) {
+    if (isMeasured (points[index]))
+      use (Eigen::Map<const Eigen::Vector3f> (points[index]));
+  });
 }
 
 struct Share {
@@ -92,14 +89,12 @@ struct Share {
 };
 
 /** The points of a decisive sample for which is_part (p) is true. */
-template <typename IsPart>
+template <typename Thing, typename IsPart>
 Share
-shareOf (const OrganizedPoints& points,
-         const pcl::Indices& thing,
-         const IsPart& is_part)
+shareOf (const OrganizedPoints& points, const Thing& thing, const IsPart& is_part)
 {
   Share share;
-  sampleInliers (points, thing, decisive_sample, [&] (const auto& p) {
+  samplePoints (points, thing, decisive_sample, [&] (const auto& p) {
     ++share.all;
     share.part += is_part (p.data());
   });
@@ -122,9 +117,7 @@ SupportPlanes::compute (const OrganizedPoints& points,
     if (!(planes[k].plane.normal.dot (up) >= min_cosine) || planes[k].inliers->empty())
       continue;
     const Plane plane = optimise (points, planes[k], parameters.noise);
-    Eigen::Vector3f center = Eigen::Vector3f::Zero();
-    for (const auto& p : sample_)
-      center += p / static_cast<float> (sample_.size());
+    const Eigen::Vector3f center = sample_.mean();
     const float height = up.dot (center) + camera_height;
     const float noise = height_sigmas * parameters.noise.sigma (center.squaredNorm());
     if (!(plane.normal.dot (up) >= min_cosine) ||
@@ -192,33 +185,30 @@ SupportPlanes::optimise (const OrganizedPoints& points,
                          const DepthNoise& noise)
 {
   sample_.clear();
-  sampleInliers (points, *segmented.inliers, ransac_points, [&] (const auto& p) {
-    sample_.push_back (p);
+  samplePoints (points, *segmented.inliers, ransac_points, [&] (const auto& p) {
+    sample_.add (p, ransac_sigmas * noise.sigma (p.squaredNorm()));
   });
   Plane best = segmented.plane;
   if (sample_.size() < 3)
     return best;
-  std::size_t most = countAgreeing (best, sample_, noise);
-  std::minstd_rand random;
-  const auto draw = [&] () -> const Eigen::Vector3f& {
-    return sample_[random() % sample_.size()];
-  };
-  for (int trial = 0; trial < ransac_trials; ++trial) {
-    const auto &a = draw(), &b = draw(), &c = draw();
-    const Plane plane = through (a, b, c);
-    const std::size_t agreeing = countAgreeing (plane, sample_, noise);
-    if (agreeing > most) {
-      most = agreeing;
-      best = plane;
-    }
-  }
-  PlaneMoments moments;
-  sampleInliers (points, *segmented.inliers, refit_points, [&] (const auto& p) {
+  best = sample_.planeOfMost (best);
+  double sums[10] = {};
+  std::size_t agreeing = 0;
+  samplePoints (points, *segmented.inliers, refit_points, [&] (const auto& p) {
     const float squared_range = p.squaredNorm();
     const float sigma = noise.sigma (squared_range);
-    if (std::fabs (best.distance (p.data())) < refit_sigmas * sigma)
-      moments.add (p.data(), squared_range / (sigma * sigma));
+    if (!(std::fabs (best.distance (p.data())) < refit_sigmas * sigma))
+      return;
+    const double w = squared_range / (sigma * sigma);
+    const double x = p.x(), y = p.y(), z = p.z(), wx = w * x, wy = w * y, wz = w * z;
+    const double terms[10] = {
+        w, wx, wy, wz, wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
+    for (std::size_t k = 0; k < 10; ++k)
+      sums[k] += terms[k];
+    ++agreeing;
   });
+  PlaneMoments moments;
+  moments.add (sums, Eigen::Vector3d::Zero(), agreeing);
   const Eigen::Vector3d m = moments.inverseDistance();
   return m.allFinite() ? planeOf (m) : best;
 }
@@ -241,8 +231,10 @@ SupportPlanes::outline (const OrganizedPoints& points,
                                          parameters.noise) < refit_sigmas;
   };
   for (auto row = inliers.begin(); row != inliers.end();) {
+    const auto longest =
+        row + std::min<std::ptrdiff_t> (points.width, inliers.end() - row);
     const auto next_row = std::max (
-        std::lower_bound (row, inliers.end(), (*row / points.width + 1) * points.width),
+        std::lower_bound (row, longest, (*row / points.width + 1) * points.width),
         row + 1);
     const auto first = std::find_if (row, next_row, agrees);
     if (first != next_row) {
@@ -259,7 +251,7 @@ SupportPlanes::outline (const OrganizedPoints& points,
 
 bool
 liesAbove (const OrganizedPoints& points,
-           const pcl::Indices& thing,
+           const std::vector<PointRun>& thing,
            const SupportPlane& support,
            const ObjectParameters& parameters)
 {
@@ -272,13 +264,13 @@ liesAbove (const OrganizedPoints& points,
 bool
 liesOnOneOf (const std::vector<Plane>& planes,
              const OrganizedPoints& points,
-             const pcl::Indices& thing,
+             const std::vector<PointRun>& thing,
              const DepthNoise& noise)
 {
   constexpr float sigmas = 3.f;
   std::array<Eigen::Vector3f, 2 * decisive_sample> sample;
   std::size_t size = 0;
-  sampleInliers (
+  samplePoints (
       points, thing, decisive_sample, [&] (const auto& p) { sample[size++] = p; });
   const auto may_be_off =
       static_cast<std::size_t> ((1. - nearly_all) * static_cast<double> (size));

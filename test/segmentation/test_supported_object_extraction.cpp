@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 using Eigen::Vector3f;
 using table_scenes::Box;
@@ -682,9 +683,13 @@ TEST (SupportedObjectExtraction, RefusesBadInput)
   EXPECT_TRUE (extract (extraction, fewer_inliers).empty());
   EXPECT_TRUE (extraction.getSupportPlanes().empty());
 
-  View other_cloud = view;
-  other_cloud.inliers.front().indices.push_back (1000000);
-  EXPECT_TRUE (extract (other_cloud).empty());
+  const auto size = static_cast<pcl::index_t> (view.cloud->size());
+  for (const pcl::index_t index :
+       {size, 1000000, -1, std::numeric_limits<int>::min()}) {
+    View other_cloud = view;
+    other_cloud.inliers.front().indices.push_back (index);
+    EXPECT_TRUE (extract (other_cloud).empty()) << index;
+  }
 
   View short_model = view;
   short_model.models.front().values.pop_back();

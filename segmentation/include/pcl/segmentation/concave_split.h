@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/object_clusters.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,22 +27,37 @@ public:
   void
   resize (int width, int height);
 
-  /** \brief Calls use (point, i), where i is the place of the cell of the point in the arrays.
-   * Fastest where points follow each other in rows. */
+  /** \brief The place in the arrays of the cell of a point. */
+  std::uint32_t
+  placeOf (std::uint32_t point) const
+  {
+    return first_ + (point / width_ >> shift_) * stride_ + (point % width_ >> shift_);
+  }
+
+  /** \brief Calls use (part, i) for the parts of a run that lie in different cells, where i is
+   * the place of the cell in the arrays. */
   template <typename Use>
   void
-  forEachPlace (const pcl::Indices& points, const Use& use) const
+  forEachCell (const PointRun& run, const Use& use) const
   {
-    std::uint32_t row_begin = 0, row_length = 0, row_place = 0;
-    for (const auto index : points) {
-      const auto point = static_cast<std::uint32_t> (index);
-      if (point - row_begin >= row_length) { // also where it is less than row_begin
-        row_begin = point / width_ * width_;
-        row_length = width_;
-        row_place = first_ + (point / width_ >> shift_) * stride_;
-      }
-      use (point, row_place + ((point - row_begin) >> shift_));
-    }
+    const std::uint32_t end = run.first + run.length;
+    std::uint32_t place = placeOf (run.first);
+    std::uint32_t next = run.first + step() - (run.first % width_ & (step() - 1));
+    for (std::uint32_t point = run.first; point < end; point = next, next += step())
+      use (PointRun{point, std::min (next, end) - point}, place++);
+  }
+
+  /** \brief Where the rows of the image begin, those of the margins left out. */
+  std::uint32_t
+  begin () const
+  {
+    return first_;
+  }
+
+  std::uint32_t
+  end () const
+  {
+    return first_ + rows_ * stride_;
   }
 
   /** \brief From one row to the next. */
@@ -49,12 +65,6 @@ public:
   stride () const
   {
     return stride_;
-  }
-
-  std::size_t
-  size () const
-  {
-    return owner.size();
   }
 
   /** \brief Pixels along the side of a cell. */
@@ -69,7 +79,7 @@ public:
   std::vector<std::uint32_t> owner; /**< the cluster of each cell, from 1 on, or 0 */
 
 private:
-  std::uint32_t width_ = 0, stride_ = 0, first_ = 0, shift_ = 0;
+  std::uint32_t width_ = 0, rows_ = 0, stride_ = 0, first_ = 0, shift_ = 0;
 };
 
 /** \brief Splits clusters of touching objects along concave edges and steps.
@@ -115,16 +125,28 @@ private:
           const std::vector<ObjectCluster>& clusters);
 
   void
-  joinUncut ();
+  findPatches (float pixel_angle);
 
   void
-  startParts (const std::vector<ObjectCluster>& clusters);
+  countParts (std::size_t clusters);
+
+  void
+  startParts ();
 
   void
   growParts ();
 
   void
   collect (const std::vector<ObjectCluster>& clusters);
+
+  bool
+  isSplit (std::size_t cluster) const
+  {
+    return first_part_[cluster + 1] - first_part_[cluster] > 1;
+  }
+
+  std::uint32_t
+  partAt (std::uint32_t i) const;
 
   std::uint32_t
   partWithPlane (const pcl::Indices& inliers);
@@ -134,21 +156,18 @@ private:
           const std::vector<SegmentedPlane>& planes,
           const std::vector<SupportPlane>& supports);
 
-  /** \brief Calls visit (j) for the neighbours of \a i that are of the same cluster. */
-  template <typename Visit>
-  void
-  visitNeighbours (std::uint32_t i, const Visit& visit) const;
+  /** \brief Connected cells of a cluster that are not cut. */
+  struct Patch {
+    std::uint32_t cells = 0;
+    std::uint32_t part = 0; // if it starts one of several parts of its cluster
+  };
 
   ObjectParameters parameters_;
   ClusterImage image_;
-  std::vector<std::uint32_t> places_;    // of the cells of all clusters in turn
-  std::vector<std::size_t> first_place_; // of each cluster, and the end of the last one
-  std::vector<std::uint32_t> first_part_; // of each cluster
-  std::vector<std::uint8_t> cut_;
-  DisjointSets sets_;
-  std::vector<std::uint32_t> patch_size_; // at the root of each patch
-  std::vector<std::uint32_t> part_;       // of each cell, from 1 on, or 0
-  std::vector<std::size_t> part_support_;
+  LinkedRuns runs_;                       // of cells that are not cut
+  std::vector<Patch> patches_;            // at their first runs
+  std::vector<std::uint32_t> first_part_; // of each cluster, from 1 on, and one more
+  std::vector<std::uint32_t> part_; // of each cell of clusters that are split, or 0
   std::vector<std::uint32_t> queue_;
   std::vector<ObjectCluster> parts_;
   std::vector<std::size_t> plane_points_; // of a plane in each part

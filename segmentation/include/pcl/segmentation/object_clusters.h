@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/disjoint_sets.h>
+#include <pcl/segmentation/linked_runs.h>
 #include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/support_planes.h>
 
@@ -18,8 +18,8 @@ struct LinkLimit;
 
 /** \brief Points that may be of one object. */
 struct ObjectCluster {
-  pcl::Indices indices;    /**< in ascending order */
-  std::size_t support = 0; /**< the plane under them, among the supporting ones */
+  std::vector<PointRun> runs; /**< in ascending order */
+  std::size_t support = 0;    /**< the plane under them, among the supporting ones */
 };
 
 /** \brief Collects the points above supporting planes and clusters them along the image,
@@ -58,17 +58,11 @@ private:
   /** \brief Where a point is: from \ref above on, above that one of the bases. */
   enum Place : std::uint8_t { nowhere, outside, above };
 
-  /** \brief Points of a row that hang together, above the same plane. */
-  struct Run {
-    std::uint32_t first = 0;
-    std::uint32_t length = 0;
-    std::size_t set = 0; /**< of runs that hang together */
-  };
-
   /** \brief What decides whether a cluster is an object. */
   struct Sums {
     std::size_t points = 0;
-    std::size_t clear = 0; /**< points that are higher than noise */
+    std::size_t clear =
+        0; /**< points that are higher than noise, until they are enough */
     std::size_t leaks = 0; /**< points that hang together with one outside */
     std::size_t tops = 0; /**< points with nothing above them in the image that is above
                             * the same plane */
@@ -87,7 +81,7 @@ private:
   findRuns (const std::vector<std::uint8_t>& selected);
 
   void
-  joinRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
+  settleRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
 
   Place
   settle (std::uint32_t i, std::size_t base) const;
@@ -101,23 +95,35 @@ private:
   void
   sumUp ();
 
-  std::size_t
-  clearPoints (const Run& run, const SupportPlane& support) const;
+  void
+  findSets ();
 
   std::size_t
-  leaks (const Run& run, const LinkLimit& limit) const;
+  clearPoints (const PointRun& run, const SupportPlane& support) const;
+
+  /** \brief Calls visit (i) for the points of a run at its ends, and those in another place
+   * than the point above or below in the image. */
+  template <typename Visit>
+  void
+  visitMargin (const PointRun& run, const Visit& visit) const;
 
   void
-  countTops (const Run& run, const LinkLimit& limit, Sums& sums) const;
+  countLeaksAndTops (const PointRun& run, const LinkLimit& limit, Sums& sums) const;
 
   std::ptrdiff_t
   stepUpwards (std::uint32_t i) const;
 
   float
-  riseOfRays (std::uint32_t i, std::ptrdiff_t step) const;
+  elevationOf (std::uint32_t i) const;
 
   std::uint32_t
   next (std::uint32_t i, std::ptrdiff_t step) const;
+
+  bool
+  isLarge (const Sums& sums) const;
+
+  bool
+  isClear (const Sums& sums) const;
 
   bool
   isObject (const Sums& sums) const;
@@ -133,12 +139,11 @@ private:
   PointRow rows_[2];
   std::vector<std::uint8_t> has_above_; // of the blocks of a row
   std::vector<std::uint8_t> to_left_,
-      to_above_;                         // of its points: whether they are close
-  std::vector<std::uint32_t> run_above_; // of the last point of each column
+      to_above_; // of its points: whether they are close
   std::vector<std::uint8_t> place_;
-  std::vector<Run> runs_;
-  DisjointSets sets_; // of runs
-  std::vector<Sums> sums_;
+  LinkedRuns runs_;
+  std::vector<std::uint32_t> set_of_run_;
+  std::vector<Sums> sums_; // of sets
   std::vector<ObjectCluster> clusters_;
 };
 

@@ -6,9 +6,11 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/convex_outline.h>
+#include <pcl/segmentation/linked_runs.h>
 #include <pcl/segmentation/object_parameters.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_warp.h>
+#include <pcl/segmentation/ransac_sample.h>
 #include <pcl/types.h>
 
 #include <Eigen/Geometry>
@@ -103,7 +105,7 @@ levelOf (const float* p,
 /** \brief Whether nearly all points of a thing lie above a plane, and over its hull. */
 PCL_RGBD_PLANES_EXPORTS bool
 liesAbove (const OrganizedPoints& points,
-           const pcl::Indices& thing,
+           const std::vector<PointRun>& thing,
            const SupportPlane& support,
            const ObjectParameters& parameters);
 
@@ -111,7 +113,7 @@ liesAbove (const OrganizedPoints& points,
 PCL_RGBD_PLANES_EXPORTS bool
 liesOnOneOf (const std::vector<Plane>& planes,
              const OrganizedPoints& points,
-             const pcl::Indices& thing,
+             const std::vector<PointRun>& thing,
              const DepthNoise& noise);
 
 /** \brief Finds the horizontal planes in a range of heights, optimises their models and
@@ -166,7 +168,7 @@ private:
 
   std::vector<SupportPlane> supports_;
   std::vector<Plane> background_;
-  std::vector<Eigen::Vector3f> sample_;
+  RansacSample sample_;
   std::vector<Eigen::Vector2f> border_;
 };
 

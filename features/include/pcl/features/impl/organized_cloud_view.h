@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -83,14 +84,17 @@ notAnImage (const pcl::PointCloud<PointT>& cloud)
 inline bool
 indicesInside (const pcl::Indices& indices, std::size_t size)
 {
-  // To the end, whatever comes, which takes vector instructions.
-  pcl::index_t smallest = 0, largest = 0;
-  for (const pcl::index_t index : indices) {
-    smallest = std::min (smallest, index);
-    largest = std::max (largest, index);
-  }
-  return indices.empty() ||
-         (smallest == 0 && static_cast<std::size_t> (largest) < size);
+  if (indices.empty() || size == 0)
+    return indices.empty();
+  // To the end, whatever comes, which takes vector instructions. The highest bit is set in
+  // numbers below 0, and in what is left to the last index from one beyond.
+  using Number = std::make_unsigned_t<pcl::index_t>;
+  constexpr Number highest = std::numeric_limits<Number>::max() / 2;
+  const auto last = static_cast<Number> (std::min<std::size_t> (size - 1, highest));
+  Number bits = 0;
+  for (const pcl::index_t index : indices)
+    bits |= static_cast<Number> (index) | (last - static_cast<Number> (index));
+  return bits <= highest;
 }
 
 /** \brief Sets \a selected to 1 for the points of \a indices and 0 for the others of \a size

@@ -223,7 +223,7 @@ SupportedObjectExtraction<PointT, PointNT>::isBackground (
     const rgbd_planes::ObjectCluster& cluster) const
 {
   return rgbd_planes::liesOnOneOf (
-      supports_.background(), points, cluster.indices, parameters_.noise);
+      supports_.background(), points, cluster.runs, parameters_.noise);
 }
 
 template <typename PointT, typename PointNT>
@@ -234,16 +234,19 @@ SupportedObjectExtraction<PointT, PointNT>::describe (
     SupportedObject& object)
 {
   const auto& support = supports_.planes()[cluster.support];
-  const rgbd_planes::ObjectBox box =
-      boxes_.compute (points, cluster.indices, support, parameters_.noise);
   object.indices.header = input_->header;
-  object.indices.indices = cluster.indices;
+  auto& indices = object.indices.indices;
+  indices.resize (rgbd_planes::pointsOf (cluster.runs));
+  auto next = indices.begin();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto index : cluster.indices)
-    sum += Eigen::Map<const Eigen::Vector3f> (points[static_cast<std::size_t> (index)])
-               .template cast<double>();
-  object.centroid =
-      (sum / static_cast<double> (cluster.indices.size())).template cast<float>();
+  for (const auto& run : cluster.runs)
+    for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
+      *next++ = static_cast<pcl::index_t> (i);
+      sum += Eigen::Map<const Eigen::Vector3f> (points[i]).template cast<double>();
+    }
+  object.centroid = (sum / static_cast<double> (indices.size())).template cast<float>();
+  const rgbd_planes::ObjectBox box =
+      boxes_.compute (points, indices, support, parameters_.noise);
   object.box_center = box.center;
   object.box_axes = box.axes;
   object.box_size = box.size;
