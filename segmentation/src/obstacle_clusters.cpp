@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "link_kernels.h"
 #include "obstacle_kernels.h"
 #include "row_bits.h"
 
@@ -14,14 +13,12 @@ namespace rgbd_planes {
 
 namespace {
 
-LinkLimit
-linkLimit (const DepthNoise& noise)
+bool
+areClose (const float* p, const float* q, const DepthNoise& noise)
 {
-  LinkLimit limit;
-  limit.constant = max_gap_m;
-  limit.sigmas = max_gap_sigmas;
-  limit.noise = noise;
-  return limit;
+  const float way[] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  const float limit = max_gap_m + max_gap_sigmas * noise.sigma (squaredRange (p));
+  return squaredRange (way) <= limit * limit;
 }
 
 /** Word \a k of the points that are both obstacle, or both drop-off, in two rows. */
@@ -42,9 +39,12 @@ sameThing (const ClassBits& row, std::size_t k, std::size_t by)
 } // namespace
 
 void
-ObstacleClusters::start (const OrganizedPoints& points, const DepthNoise& noise)
+ObstacleClusters::start (const OrganizedPoints& points,
+                         const DepthNoise& noise,
+                         std::size_t min_points)
 {
   noise_ = noise;
+  min_points_ = min_points;
   width_ = static_cast<std::size_t> (points.width);
   const std::size_t words = wordsFor (width_);
   candidates_.resize (words);
@@ -54,6 +54,7 @@ ObstacleClusters::start (const OrganizedPoints& points, const DepthNoise& noise)
       bits->resize (words);
   number_of_rows_ = 0;
   runs_.clear();
+  points_.clear();
 }
 
 void
@@ -75,11 +76,13 @@ ObstacleClusters::addRow (const OrganizedPoints& points,
     for (std::size_t k = 0; k < candidates_.size(); ++k)
       candidates_[k] =
           above.classes.unmeasured[k] & sameThing (before.classes, row.classes, k);
-    const LinkLimit limit = linkLimit (noise_);
     joinRows (before, row, candidates_, [&] (std::size_t u) {
-      return limit.allows (points[row.first + u], points[before.first + u]);
+      return areClose (points[row.first + u], points[before.first + u], noise_);
     });
   }
+  points_.resize (runs_.size(), 0);
+  for (std::size_t k = row.runs; k < row.end_of_runs; ++k)
+    points_[sets_.root (static_cast<std::uint32_t> (k))] += runs_[k].length;
 }
 
 void
@@ -87,7 +90,6 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
                             const RowBits& to_left,
                             Row& row)
 {
-  const LinkLimit limit = linkLimit (noise_);
   const ClassBits& classes = row.classes;
   const auto any = [&] (std::size_t k) {
     return classes.obstacle[k] | classes.drop_off[k];
@@ -105,9 +107,10 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
       const auto run = static_cast<std::uint32_t> (runs_.size());
       sets_.resize (run + 1);
       sets_.add (run);
-      runs_.push_back ({first + bit, 0, none});
+      runs_.emplace_back();
+      runs_.back().first = first + bit;
       if (bridged >> bit & 1 &&
-          limit.allows (points[first + bit], points[first + bit - 2]))
+          areClose (points[first + bit], points[first + bit - 2], noise_))
         sets_.join (run - 1, run);
     });
     forEachBit ((any (k) << 1 | last_of_word) & ~joined, [&] (std::size_t bit) {
@@ -147,7 +150,7 @@ ObstacleClusters::joinRows (const Row& above,
 }
 
 void
-ObstacleClusters::finish (std::size_t min_points, std::vector<ObstacleClass>& classes)
+ObstacleClusters::finish (std::vector<ObstacleClass>& classes)
 {
   points_.assign (runs_.size(), 0);
   for (std::uint32_t i = 0; i < runs_.size(); ++i)
@@ -156,10 +159,11 @@ ObstacleClusters::finish (std::size_t min_points, std::vector<ObstacleClass>& cl
   for (std::uint32_t i = 0; i < runs_.size(); ++i) {
     // The root of a cluster is its first run.
     const std::uint32_t first = sets_.root (i);
-    if (points_[first] < min_points) {
+    if (points_[first] < min_points_) {
       std::fill_n (classes.begin() + static_cast<std::ptrdiff_t> (runs_[i].first),
                    runs_[i].length,
                    ObstacleClass::speck);
+      runs_[i].cluster = none;
       continue;
     }
     if (first == i) {

@@ -43,8 +43,8 @@ ObstacleExtraction::compute (const OrganizedPoints& points,
     for (; finished < final; ++finished)
       finishRow (points, finished, camera_to_base);
   }
-  clusters_.finish (min_points_, classes_);
-  scanShortRuns (points, camera_to_base);
+  clusters_.finish (classes_);
+  scanLateRuns (points, camera_to_base);
   scan_builder_.finish();
   collect (points, camera_to_base, obstacles);
 }
@@ -56,9 +56,9 @@ ObstacleExtraction::start (const ObstacleFrame& frame,
 {
   const OrganizedPoints& points = frame.points;
   const auto width = static_cast<std::size_t> (points.width);
-  min_points_ = parameters.min_cluster_size != 0
-                    ? parameters.min_cluster_size
-                    : std::max<std::size_t> (points.size() / 20000, 2);
+  const std::size_t min_points = parameters.min_cluster_size != 0
+                                     ? parameters.min_cluster_size
+                                     : std::max<std::size_t> (points.size() / 20000, 2);
   classes_.resize (points.size());
   excluded_.assign (excluded ? points.size() : 0, 0);
   if (excluded)
@@ -66,7 +66,7 @@ ObstacleExtraction::start (const ObstacleFrame& frame,
       excluded_[static_cast<std::size_t> (index)] = 1;
   nearest_.clear();
   point_classes_.start (frame, parameters.points);
-  clusters_.start (points, parameters.points.noise);
+  clusters_.start (points, parameters.points.noise, min_points);
   scan_builder_.start (parameters.scan, width, scan_);
   rows_.resize (static_cast<std::size_t> (point_classes_.maxWaiting()));
   for (auto& row : rows_)
@@ -89,7 +89,7 @@ ObstacleExtraction::finishRow (const OrganizedPoints& points,
   nearest_.resize (clusters_.runs().size(), std::numeric_limits<float>::infinity());
   scan_runs_.clear();
   for (std::size_t k = first_run; k < nearest_.size(); ++k)
-    if (clusters_.runs()[k].length >= min_points_)
+    if (!clusters_.mayBeSpeck (k))
       addToScan (k, first);
   scan_builder_.add (row.points, camera_to_base, floor_.coefficients(), scan_runs_);
 }
@@ -113,8 +113,8 @@ ObstacleExtraction::exclude (std::size_t first, std::size_t end)
 }
 
 void
-ObstacleExtraction::scanShortRuns (const OrganizedPoints& points,
-                                   const Eigen::Affine3f& camera_to_base)
+ObstacleExtraction::scanLateRuns (const OrganizedPoints& points,
+                                  const Eigen::Affine3f& camera_to_base)
 {
   const auto width = static_cast<std::size_t> (points.width);
   const auto& runs = clusters_.runs();
@@ -122,12 +122,12 @@ ObstacleExtraction::scanShortRuns (const OrganizedPoints& points,
     const std::size_t v = runs[k].first / width, first = v * width;
     scan_runs_.clear();
     for (; k < runs.size() && runs[k].first < first + width; ++k)
-      if (runs[k].length < min_points_ && runs[k].cluster != ObstacleClusters::none) {
+      if (std::isinf (nearest_[k]) && runs[k].cluster != ObstacleClusters::none) {
         addToScan (k, first);
         const ScanRun& run = scan_runs_.back();
-        short_row_.load (points, static_cast<int> (v), run.begin, run.end);
+        late_row_.load (points, static_cast<int> (v), run.begin, run.end);
       }
-    scan_builder_.add (short_row_, camera_to_base, floor_.coefficients(), scan_runs_);
+    scan_builder_.add (late_row_, camera_to_base, floor_.coefficients(), scan_runs_);
   }
 }
 

@@ -42,14 +42,18 @@ public:
   struct Run {
     std::size_t first;
     std::size_t length;
-    std::uint32_t cluster; /**< or \ref none */
+    std::uint32_t cluster; /**< or \ref none; known in the end */
   };
 
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  /** \brief Starts with an image. */
+  /** \brief Starts with an image.
+   * \param[in] min_points the points of smaller clusters become specks
+   */
   void
-  start (const OrganizedPoints& points, const DepthNoise& noise);
+  start (const OrganizedPoints& points,
+         const DepthNoise& noise,
+         std::size_t min_points);
 
   /** \brief Adds the next row.
    * \param[in] classes of its points
@@ -62,11 +66,17 @@ public:
           const RowLinks& links);
 
   /** \brief Tells the clusters, after the last row.
-   * \param[in] min_points the points of smaller clusters become specks
    * \param[in,out] classes one for each point
    */
   void
-  finish (std::size_t min_points, std::vector<ObstacleClass>& classes);
+  finish (std::vector<ObstacleClass>& classes);
+
+  /** \brief Whether a run may still turn out to be part of a speck, after a row was added. */
+  bool
+  mayBeSpeck (std::size_t run)
+  {
+    return points_[sets_.root (static_cast<std::uint32_t> (run))] < min_points_;
+  }
 
   /** \brief Row by row, from left to right. */
   const std::vector<Run>&
@@ -103,13 +113,15 @@ private:
             const IsConnected& isConnected);
 
   DepthNoise noise_;
+  std::size_t min_points_ = 0;
   std::size_t width_ = 0;
   Row rows_[3]; // in turn
   std::size_t number_of_rows_ = 0;
   RowBits candidates_;
   std::vector<Run> runs_;
-  DisjointSets sets_;               // of runs, until clusters are numbered
-  std::vector<std::size_t> points_; // of the sets of runs
+  DisjointSets sets_; // of runs, until clusters are numbered
+  std::vector<std::size_t>
+      points_; // of the sets of runs; at least so many until all are known
   std::vector<std::size_t> sizes_;
 };
 

@@ -101,7 +101,7 @@ private:
 
   /** Those that were left out because they may be specks. */
   void
-  scanShortRuns (const OrganizedPoints& points, const Eigen::Affine3f& camera_to_base);
+  scanLateRuns (const OrganizedPoints& points, const Eigen::Affine3f& camera_to_base);
 
   void
   collect (const OrganizedPoints& points,
@@ -127,12 +127,11 @@ private:
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  std::vector<Row> rows_; // in turn
-  std::size_t min_points_ = 0;
+  std::vector<Row> rows_;              // in turn
   std::vector<std::uint8_t> excluded_; // 1 for these points; empty without any
-  std::vector<float> nearest_;         // squared distance of each run
-  std::vector<ScanRun> scan_runs_;     // of the row at hand
-  PointRow short_row_;
+  std::vector<float> nearest_; // squared distance of each run; infinite before its scan
+  std::vector<ScanRun> scan_runs_; // of the row at hand
+  PointRow late_row_;
   // Of each obstacle.
   std::vector<std::size_t> nearest_runs_;
   std::vector<pcl::index_t*> ends_; // of its indices so far
