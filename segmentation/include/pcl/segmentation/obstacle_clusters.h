@@ -120,8 +120,8 @@ private:
   RowBits candidates_;
   std::vector<Run> runs_;
   DisjointSets sets_; // of runs, until clusters are numbered
-  std::vector<std::size_t>
-      points_; // of the sets of runs; at least so many until all are known
+  /** Of the sets of runs, whose roots have so many at least until all are known. */
+  std::vector<std::size_t> points_;
   std::vector<std::size_t> sizes_;
 };
 
