@@ -56,9 +56,10 @@ struct CellRow {
 
 /** \brief What the points around the cells of a row tell; as long as vectors need. */
 struct CellVerdicts {
-  std::vector<std::uint8_t> are_high; /**< 1 for cells that a low obstacle may be in */
-  std::vector<std::uint8_t>
-      are_other;             /**< 1 for cells that another surface may be in */
+  /** 1 for cells that a low obstacle may be in. */
+  std::vector<std::uint8_t> are_high;
+  /** 1 for cells that another surface may be in. */
+  std::vector<std::uint8_t> are_other;
   std::vector<float> height; /**< mean */
   std::vector<float> limit;  /**< of the square of the mean height of floor */
 };
