@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -21,23 +22,6 @@ constexpr float part_sigmas = 1.5f, large_part_sigmas = 3.f;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
 
-/** Calls visit (point, plane) for about every 64th point that is usable and on a plane. */
-template <typename Visit>
-void
-forEachSample (const OrganizedPoints& points,
-               const LabelledPlanes& planes,
-               const DepthNoise& noise,
-               const Visit& visit)
-{
-  const int step = std::max (points.width / 80, 1);
-  for (int v = step / 2; v < points.height; v += step)
-    for (int u = step / 2; u < points.width; u += step) {
-      const auto i = static_cast<std::size_t> (v * points.width + u);
-      if (planes[i] < planes.coefficients.size() && isUsable (points[i], noise))
-        visit (points[i], planes[i]);
-    }
-}
-
 } // namespace
 
 void
@@ -50,10 +34,11 @@ FloorPlane::find (const OrganizedPoints& points,
 {
   const Eigen::Vector4f height = camera_to_base.matrix().row (2);
   samples_.assign (planes.coefficients.size(), {});
-  forEachSample (points, planes, noise, [&] (const float* p, std::uint32_t plane) {
-    samples_[plane].height += heightAbove (height, p);
+  sample (points, planes, noise);
+  for (const auto& [point, plane] : points_) {
+    samples_[plane].height += heightAbove (height, point);
     ++samples_[plane].points;
-  });
+  }
 
   const float min_cos = std::cos (max_angle);
   std::size_t most = 0, floor = 0;
@@ -72,25 +57,56 @@ FloorPlane::find (const OrganizedPoints& points,
     most = samples_[k].points;
   }
   if (found_)
-    compare (points, planes, noise, floor);
+    compare (planes, noise, floor);
 }
 
 void
-FloorPlane::compare (const OrganizedPoints& points,
-                     const LabelledPlanes& planes,
+FloorPlane::sample (const OrganizedPoints& points,
+                    const LabelledPlanes& planes,
+                    const DepthNoise& noise)
+{
+  const auto width = static_cast<std::size_t> (points.width);
+  const auto height = static_cast<std::size_t> (points.height);
+  const std::size_t step = std::max<std::size_t> (width / 80, 1);
+  const float farthest =
+      std::min (noise.max_range * noise.max_range, std::numeric_limits<float>::max());
+  points_.resize ((width / step + 1) * (height / step + 1));
+  std::size_t count = 0;
+  for (std::size_t v = step / 2; v < height; v += step)
+    for (std::size_t u = step / 2; u < width; u += step) {
+      const std::size_t i = v * width + u;
+      const float squared_range = squaredRange (points[i]);
+      // Without a branch, for which points are on planes cannot be foreseen.
+      points_[count] = {points[i], planes[i]};
+      count += static_cast<std::size_t> (planes[i] < planes.coefficients.size()) &
+               static_cast<std::size_t> (squared_range > 0.f) &
+               static_cast<std::size_t> (squared_range <= farthest);
+    }
+  points_.resize (count);
+}
+
+void
+FloorPlane::compare (const LabelledPlanes& planes,
                      const DepthNoise& noise,
                      std::size_t floor)
 {
-  forEachSample (points, planes, noise, [&] (const float* p, std::uint32_t plane) {
-    const float height = heightAbove (coefficients_, p);
-    const float variance = heightVariance (p, coefficients_[3], noise);
-    samples_[plane].off += height * height > off_sigmas * off_sigmas * variance;
-    samples_[plane].sigmas += height / noise.sigma (squaredRange (p));
-  });
+  for (std::size_t k = 0; k < samples_.size(); ++k)
+    samples_[k].is_tilted =
+        planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
+  for (const auto& [point, plane] : points_) {
+    if (plane == floor)
+      continue;
+    Samples& samples = samples_[plane];
+    const float height = heightAbove (coefficients_, point);
+    if (samples.is_tilted)
+      samples.off +=
+          height * height >
+          off_sigmas * off_sigmas * heightVariance (point, coefficients_[3], noise);
+    else
+      samples.sigmas += height / noise.sigma (squaredRange (point));
+  }
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     Samples& samples = samples_[k];
-    samples.is_tilted =
-        planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
     const bool is_large = 4 * samples.points >= samples_[floor].points;
     const float sigmas = is_large ? large_part_sigmas : part_sigmas;
     samples.is_part =

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "link_kernels.h"
+#include "obstacle_kernels.h"
+#include "row_bits.h"
 
 #include <pcl/segmentation/obstacle_clusters.h>
 
@@ -12,133 +13,144 @@ namespace rgbd_planes {
 
 namespace {
 
-constexpr float max_gap_m = 0.05f;
-constexpr float max_gap_sigmas = 3.f;
-
 bool
-isAnObstacle (ObstacleClass c)
+areClose (const float* p, const float* q, const DepthNoise& noise)
 {
-  return c == ObstacleClass::obstacle || c == ObstacleClass::drop_off;
+  const float way[] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  const float limit = max_gap_m + max_gap_sigmas * noise.sigma (squaredRange (p));
+  return squaredRange (way) <= limit * limit;
 }
 
-LinkLimit
-linkLimit (const DepthNoise& noise)
+/** Word \a k of the points that are both obstacle, or both drop-off, in two rows. */
+std::uint64_t
+sameThing (const ClassBits& a, const ClassBits& b, std::size_t k)
 {
-  LinkLimit limit;
-  limit.constant = max_gap_m;
-  limit.sigmas = max_gap_sigmas;
-  limit.noise = noise;
-  return limit;
+  return (a.obstacle[k] & b.obstacle[k]) | (a.drop_off[k] & b.drop_off[k]);
+}
+
+/** Word \a k of the points that are both with the point \a by before them. */
+std::uint64_t
+sameThing (const ClassBits& row, std::size_t k, std::size_t by)
+{
+  return (row.obstacle[k] & movedRight (row.obstacle, k, by)) |
+         (row.drop_off[k] & movedRight (row.drop_off, k, by));
 }
 
 } // namespace
 
 void
-ObstacleLinks::resize (const OrganizedPoints& points)
+ObstacleClusters::start (const OrganizedPoints& points,
+                         const DepthNoise& noise,
+                         std::size_t min_points)
 {
+  noise_ = noise;
+  min_points_ = min_points;
   width_ = static_cast<std::size_t> (points.width);
-  // The last block of a row may end in the next one, which is linked later.
-  for (auto* links : {&to_left_, &to_above_})
-    links->resize (points.size() + PointRow::block_size);
-}
-
-void
-ObstacleLinks::addRow (int v,
-                       const PointRow& row,
-                       const PointRow& row_above,
-                       const DepthNoise& noise)
-{
-  const std::size_t first = static_cast<std::size_t> (v) * width_;
-  linkRow (
-      row, row_above, linkLimit (noise), nullptr, &to_left_[first], &to_above_[first]);
-}
-
-void
-ObstacleClusters::compute (const OrganizedPoints& points,
-                           const ObstacleLinks& links,
-                           const DepthNoise& noise,
-                           std::size_t min_points,
-                           std::vector<ObstacleClass>& classes)
-{
+  const std::size_t words = wordsFor (width_);
+  candidates_.resize (words);
+  for (auto& row : rows_)
+    for (auto* bits :
+         {&row.classes.unmeasured, &row.classes.obstacle, &row.classes.drop_off})
+      bits->resize (words);
+  number_of_rows_ = 0;
   runs_.clear();
-  const auto width = static_cast<std::size_t> (points.width);
-  const auto isBridged = [&] (std::size_t above, std::size_t below) {
-    return classes[above + width] == ObstacleClass::unmeasured &&
-           linkLimit (noise).allows (points[below], points[above]);
-  };
-  const auto isLinked = [&] (std::size_t, std::size_t below) {
-    return links.toAbove (below);
-  };
-  std::size_t before_last = 0, last = 0; // where the rows above begin
-  for (std::size_t row = 0; row < points.size(); row += width) {
-    const std::size_t now = runs_.size();
-    findRuns (points, links, noise, row, classes);
-    joinRows ({last, now}, now, width, classes, isLinked);
-    joinRows ({before_last, last}, now, 2 * width, classes, isBridged);
-    before_last = last;
-    last = now;
+  points_.clear();
+}
+
+void
+ObstacleClusters::addRow (const OrganizedPoints& points,
+                          const ObstacleClass* classes,
+                          const RowLinks& links)
+{
+  const std::size_t v = number_of_rows_++;
+  Row &row = rows_[v % 3], &above = rows_[(v + 2) % 3], &before = rows_[(v + 1) % 3];
+  findClasses (classes, width_, row.classes);
+  row.first = v * width_;
+  findRuns (points, links.to_left, row);
+  if (v >= 1) {
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
+      candidates_[k] = links.to_above[k] & sameThing (above.classes, row.classes, k);
+    joinRows (above, row, candidates_, [] (std::size_t) { return true; });
   }
-  numberClusters (min_points, classes);
+  if (v >= 2) {
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
+      candidates_[k] =
+          above.classes.unmeasured[k] & sameThing (before.classes, row.classes, k);
+    joinRows (before, row, candidates_, [&] (std::size_t u) {
+      return areClose (points[row.first + u], points[before.first + u], noise_);
+    });
+  }
+  points_.resize (runs_.size(), 0);
+  for (std::size_t k = row.runs; k < row.end_of_runs; ++k)
+    points_[sets_.root (static_cast<std::uint32_t> (k))] += runs_[k].length;
 }
 
 void
 ObstacleClusters::findRuns (const OrganizedPoints& points,
-                            const ObstacleLinks& links,
-                            const DepthNoise& noise,
-                            std::size_t row,
-                            const std::vector<ObstacleClass>& classes)
+                            const RowBits& to_left,
+                            Row& row)
 {
-  const std::size_t end = row + static_cast<std::size_t> (points.width);
-  std::size_t i = row;
-  while (i < end) {
-    if (!isAnObstacle (classes[i])) {
-      ++i;
-      continue;
+  const ClassBits& classes = row.classes;
+  const auto any = [&] (std::size_t k) {
+    return classes.obstacle[k] | classes.drop_off[k];
+  };
+  row.runs = row.end_of_runs = runs_.size();
+  std::size_t ends = row.runs; // runs whose length is known
+  std::uint64_t last_of_word = 0;
+  for (std::size_t k = 0; k < to_left.size(); ++k) {
+    const std::uint64_t joined = to_left[k] & sameThing (classes, k, 1);
+    const std::uint64_t starts = any (k) & ~joined;
+    const std::uint64_t bridged =
+        starts & sameThing (classes, k, 2) & movedRight (classes.unmeasured, k, 1);
+    const std::size_t first = row.first + k * bits_in_word;
+    forEachBit (starts, [&] (std::size_t bit) {
+      const auto run = static_cast<std::uint32_t> (runs_.size());
+      sets_.resize (run + 1);
+      sets_.add (run);
+      runs_.emplace_back();
+      runs_.back().first = first + bit;
+      if (bridged >> bit & 1 &&
+          areClose (points[first + bit], points[first + bit - 2], noise_))
+        sets_.join (run - 1, run);
+    });
+    forEachBit ((any (k) << 1 | last_of_word) & ~joined, [&] (std::size_t bit) {
+      runs_[ends].length = first + bit - runs_[ends].first;
+      ++ends;
+    });
+    last_of_word = any (k) >> (bits_in_word - 1);
+  }
+  if (ends < runs_.size())
+    runs_[ends].length = row.first + width_ - runs_[ends].first;
+  row.end_of_runs = runs_.size();
+}
+
+template <typename IsConnected>
+void
+ObstacleClusters::joinRows (const Row& above,
+                            const Row& below,
+                            const RowBits& candidates,
+                            const IsConnected& isConnected)
+{
+  std::size_t a = above.runs;
+  for (std::size_t b = below.runs; b < below.end_of_runs; ++b) {
+    const std::size_t first = runs_[b].first - below.first;
+    const std::size_t end = first + runs_[b].length;
+    const auto endAbove = [&] {
+      return runs_[a].first + runs_[a].length - above.first;
+    };
+    for (std::size_t u = nextBit (candidates, first); u < end;) {
+      while (endAbove() <= u)
+        ++a;
+      const bool is_connected = isConnected (u);
+      if (is_connected)
+        sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
+      u = nextBit (candidates, is_connected ? endAbove() : u + 1);
     }
-    const std::size_t first = i++;
-    while (i < end && classes[i] == classes[first] && links.toLeft (i))
-      ++i;
-    const auto run = static_cast<std::uint32_t> (runs_.size());
-    sets_.resize (run + 1);
-    sets_.add (run);
-    runs_.push_back ({first, i - first, none});
-    if (first >= row + 2 && classes[first - 2] == classes[first] &&
-        classes[first - 1] == ObstacleClass::unmeasured &&
-        linkLimit (noise).allows (points[first], points[first - 2]))
-      sets_.join (run - 1, run);
-  }
-}
-
-/** Joins runs [above.first, above.second) with those of the last row, [below, end), where
- * points are connected that are \a offset apart. */
-template <typename AreConnected>
-void
-ObstacleClusters::joinRows (std::pair<std::size_t, std::size_t> above,
-                            std::size_t below,
-                            std::size_t offset,
-                            const std::vector<ObstacleClass>& classes,
-                            const AreConnected& areConnected)
-{
-  std::size_t a = above.first, b = below;
-  while (a < above.second && b < runs_.size()) {
-    const std::size_t end_a = runs_[a].first + runs_[a].length;
-    const std::size_t first_b = runs_[b].first - offset;
-    const std::size_t end_b = first_b + runs_[b].length;
-    if (classes[runs_[a].first] == classes[runs_[b].first])
-      for (std::size_t i = std::max (runs_[a].first, first_b);
-           i < std::min (end_a, end_b);
-           ++i)
-        if (areConnected (i, i + offset)) {
-          sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
-          break;
-        }
-    end_a < end_b ? ++a : ++b;
   }
 }
 
 void
-ObstacleClusters::numberClusters (std::size_t min_points,
-                                  std::vector<ObstacleClass>& classes)
+ObstacleClusters::finish (std::vector<ObstacleClass>& classes)
 {
   points_.assign (runs_.size(), 0);
   for (std::uint32_t i = 0; i < runs_.size(); ++i)
@@ -147,10 +159,11 @@ ObstacleClusters::numberClusters (std::size_t min_points,
   for (std::uint32_t i = 0; i < runs_.size(); ++i) {
     // The root of a cluster is its first run.
     const std::uint32_t first = sets_.root (i);
-    if (points_[first] < min_points) {
+    if (points_[first] < min_points_) {
       std::fill_n (classes.begin() + static_cast<std::ptrdiff_t> (runs_[i].first),
                    runs_[i].length,
                    ObstacleClass::speck);
+      runs_[i].cluster = none;
       continue;
     }
     if (first == i) {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "obstacle_kernels.h"
+#include "row_bits.h"
 
 #include <pcl/segmentation/obstacle_extraction.h>
 
@@ -23,86 +24,140 @@ ObstacleExtraction::compute (const OrganizedPoints& points,
                              std::vector<Obstacle>& obstacles)
 {
   const DepthNoise& noise = parameters.points.noise;
+  const Eigen::Affine3f& camera_to_base = parameters.camera_to_base;
   floor_.find (points,
                planes,
-               parameters.camera_to_base,
+               camera_to_base,
                noise,
                parameters.floor_angle,
                parameters.floor_height);
-  classify ({points, normals, planes, floor_}, selected, parameters);
-  if (excluded)
-    exclude (*excluded);
+  const ObstacleFrame frame{points, normals, planes, floor_};
+  start (frame, excluded, parameters);
+  int finished = 0;
+  for (int v = 0; v < points.height; ++v) {
+    Row& row = rowAt (v);
+    row.points.load (points, v, selected);
+    const PointRow& above = rowAt (std::max (v - 1, 0)).points;
+    const int final =
+        point_classes_.addRow (frame, v, row.points, above, row.links, classes_);
+    for (; finished < final; ++finished)
+      finishRow (points, finished, camera_to_base);
+  }
+  clusters_.finish (classes_);
+  scanLateRuns (points, camera_to_base);
+  scan_builder_.finish();
+  collect (points, camera_to_base, obstacles);
+}
+
+void
+ObstacleExtraction::start (const ObstacleFrame& frame,
+                           const pcl::Indices* excluded,
+                           const ObstacleParameters& parameters)
+{
+  const OrganizedPoints& points = frame.points;
+  const auto width = static_cast<std::size_t> (points.width);
   const std::size_t min_points = parameters.min_cluster_size != 0
                                      ? parameters.min_cluster_size
                                      : std::max<std::size_t> (points.size() / 20000, 2);
-  clusters_.compute (points, links_, noise, min_points, classes_);
-  collect (points, parameters, obstacles);
-}
-
-void
-ObstacleExtraction::classify (const ObstacleFrame& frame,
-                              const std::uint8_t* selected,
-                              const ObstacleParameters& parameters)
-{
-  const DepthNoise& noise = parameters.points.noise;
-  classes_.resize (frame.points.size());
-  links_.resize (frame.points);
+  classes_.resize (points.size());
+  excluded_.assign (excluded ? points.size() : 0, 0);
+  if (excluded)
+    for (const pcl::index_t index : *excluded)
+      excluded_[static_cast<std::size_t> (index)] = 1;
+  nearest_.clear();
   point_classes_.start (frame, parameters.points);
-  rows_[1].load (frame.points, 0);
-  for (int v = 0; v < frame.points.height; ++v) {
-    PointRow &row = rows_[v % 2], &row_above = rows_[1 - v % 2];
-    row.load (frame.points, v, selected);
-    links_.addRow (v, row, row_above, noise);
-    if (floor_.isFound())
-      point_classes_.addRow (frame, v, row, classes_);
-  }
-  if (floor_.isFound()) {
-    point_classes_.finish (frame, classes_);
-    return;
-  }
-  for (std::size_t i = 0; i < classes_.size(); ++i)
-    classes_[i] = isUsable (frame.points[i], noise) && (!selected || selected[i])
-                      ? ObstacleClass::obstacle
-                      : ObstacleClass::unmeasured;
+  clusters_.start (points, parameters.points.noise, min_points);
+  scan_builder_.start (parameters.scan, width, scan_);
+  rows_.resize (static_cast<std::size_t> (point_classes_.maxWaiting()));
+  for (auto& row : rows_)
+    for (auto* links : {&row.links.to_left, &row.links.to_above})
+      links->resize (wordsFor (width));
 }
 
 void
-ObstacleExtraction::exclude (const pcl::Indices& excluded)
+ObstacleExtraction::finishRow (const OrganizedPoints& points,
+                               int v,
+                               const Eigen::Affine3f& camera_to_base)
 {
-  for (const pcl::index_t index : excluded) {
-    ObstacleClass& result = classes_[static_cast<std::size_t> (index)];
-    if (result != ObstacleClass::unmeasured)
-      result = ObstacleClass::excluded;
+  const auto width = static_cast<std::size_t> (points.width);
+  const std::size_t first = static_cast<std::size_t> (v) * width;
+  if (!excluded_.empty())
+    exclude (first, first + width);
+  const Row& row = rowAt (v);
+  clusters_.addRow (points, &classes_[first], row.links);
+  const std::size_t first_run = nearest_.size();
+  nearest_.resize (clusters_.runs().size(), std::numeric_limits<float>::infinity());
+  scan_runs_.clear();
+  for (std::size_t k = first_run; k < nearest_.size(); ++k)
+    if (!clusters_.mayBeSpeck (k))
+      addToScan (k, first);
+  scan_builder_.add (row.points, camera_to_base, floor_.coefficients(), scan_runs_);
+}
+
+void
+ObstacleExtraction::addToScan (std::size_t run, std::size_t first)
+{
+  const auto& [begin, length, cluster] = clusters_.runs()[run];
+  scan_runs_.push_back ({begin - first,
+                         begin - first + length,
+                         classes_[begin] == ObstacleClass::drop_off,
+                         &nearest_[run]});
+}
+
+void
+ObstacleExtraction::exclude (std::size_t first, std::size_t end)
+{
+  for (std::size_t i = first; i < end; ++i)
+    if (excluded_[i] && classes_[i] != ObstacleClass::unmeasured)
+      classes_[i] = ObstacleClass::excluded;
+}
+
+void
+ObstacleExtraction::scanLateRuns (const OrganizedPoints& points,
+                                  const Eigen::Affine3f& camera_to_base)
+{
+  const auto width = static_cast<std::size_t> (points.width);
+  const auto& runs = clusters_.runs();
+  for (std::size_t k = 0; k < runs.size();) {
+    const std::size_t v = runs[k].first / width, first = v * width;
+    scan_runs_.clear();
+    for (; k < runs.size() && runs[k].first < first + width; ++k)
+      if (std::isinf (nearest_[k]) && runs[k].cluster != ObstacleClusters::none) {
+        addToScan (k, first);
+        const ScanRun& run = scan_runs_.back();
+        late_row_.load (points, static_cast<int> (v), run.begin, run.end);
+      }
+    scan_builder_.add (late_row_, camera_to_base, floor_.coefficients(), scan_runs_);
   }
 }
 
 void
 ObstacleExtraction::collect (const OrganizedPoints& points,
-                             const ObstacleParameters& parameters,
+                             const Eigen::Affine3f& camera_to_base,
                              std::vector<Obstacle>& obstacles)
 {
   const auto& sizes = clusters_.sizes();
-  obstacles.resize (sizes.size());
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    obstacles[k].indices.clear();
-    obstacles[k].indices.reserve (sizes[k]);
-  }
-  nearest_.assign (sizes.size(), std::numeric_limits<float>::infinity());
-  scan_builder_.start (parameters.scan, scan_);
-  const auto width = static_cast<std::size_t> (points.width);
   const auto& runs = clusters_.runs();
-  for (std::size_t run = 0, next; run < runs.size(); run = next) {
-    const std::size_t row = runs[run].first / width;
-    for (next = run + 1; next < runs.size() && runs[next].first / width == row;)
-      ++next;
-    addRow (
-        points, &runs[run], &runs[next - 1] + 1, parameters.camera_to_base, obstacles);
+  obstacles.resize (sizes.size());
+  ends_.resize (sizes.size());
+  nearest_runs_.assign (sizes.size(), runs.size());
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    obstacles[k].indices.resize (sizes[k]);
+    ends_[k] = obstacles[k].indices.data();
   }
-  scan_builder_.finish();
-  for (auto& obstacle : obstacles) {
-    obstacle.distance = obstacle.nearest.head<2>().norm();
-    obstacle.direction = std::atan2 (obstacle.nearest.y(), obstacle.nearest.x());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto& [first, length, cluster] = runs[i];
+    if (cluster == ObstacleClusters::none)
+      continue;
+    std::iota (
+        ends_[cluster], ends_[cluster] + length, static_cast<pcl::index_t> (first));
+    ends_[cluster] += length;
+    std::size_t& nearest = nearest_runs_[cluster];
+    if (nearest == runs.size() || nearest_[i] < nearest_[nearest])
+      nearest = i;
   }
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    describe (points, runs[nearest_runs_[k]], camera_to_base, obstacles[k]);
   std::sort (
       obstacles.begin(), obstacles.end(), [] (const Obstacle& a, const Obstacle& b) {
         return a.distance != b.distance ? a.distance < b.distance
@@ -111,84 +166,28 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
 }
 
 void
-ObstacleExtraction::addRow (const OrganizedPoints& points,
-                            const ObstacleClusters::Run* begin,
-                            const ObstacleClusters::Run* end,
-                            const Eigen::Affine3f& camera_to_base,
-                            std::vector<Obstacle>& obstacles)
+ObstacleExtraction::describe (const OrganizedPoints& points,
+                              const ObstacleClusters::Run& run,
+                              const Eigen::Affine3f& camera_to_base,
+                              Obstacle& obstacle) const
 {
-  const auto width = static_cast<std::size_t> (points.width);
-  const std::size_t row = begin->first / width;
-  rows_[0].load (points, static_cast<int> (row));
-  for (auto* values : {&base_.x, &base_.y, &base_.z, &base_.squares})
-    values->resize (rows_[0].size());
-  moveRow (rows_[0],
-           camera_to_base,
-           base_.x.data(),
-           base_.y.data(),
-           base_.z.data(),
-           base_.squares.data());
-  const auto leaveOut = [&] (std::size_t from, std::size_t to) {
-    std::fill (base_.x.begin() + static_cast<std::ptrdiff_t> (from),
-               base_.x.begin() + static_cast<std::ptrdiff_t> (to),
-               std::numeric_limits<float>::quiet_NaN());
-  };
-  std::size_t column = 0;
-  for (const auto* run = begin; run != end; ++run) {
-    if (run->cluster == ObstacleClusters::none)
-      continue;
-    const std::size_t first = run->first - row * width;
-    leaveOut (column, first);
-    column = first + run->length;
-    if (classes_[run->first] == ObstacleClass::drop_off)
-      followToFloor (points, *run, first, camera_to_base.translation());
-    addRun (*run, first, obstacles[run->cluster]);
+  const bool is_drop_off = classes_[run.first] == ObstacleClass::drop_off;
+  obstacle.kind = is_drop_off ? Obstacle::Kind::drop_off : Obstacle::Kind::obstacle;
+  obstacle.distance = std::numeric_limits<float>::infinity();
+  for (std::size_t i = run.first; i < run.first + run.length; ++i) {
+    Eigen::Vector3f p (points[i]);
+    if (is_drop_off) {
+      const Eigen::Vector4f& floor = floor_.coefficients();
+      p *= floor[3] / (floor[3] - heightAbove (floor, points[i]));
+    }
+    p = camera_to_base * p;
+    const float distance = p.head<2>().norm();
+    if (distance < obstacle.distance) {
+      obstacle.distance = distance;
+      obstacle.nearest = p;
+    }
   }
-  leaveOut (column, rows_[0].size());
-  scan_builder_.addRow (
-      base_.x.data(), base_.y.data(), base_.z.data(), rows_[0].size());
-}
-
-/** Moves points of a drop-off along their rays to where these meet the floor. */
-void
-ObstacleExtraction::followToFloor (const OrganizedPoints& points,
-                                   const ObstacleClusters::Run& run,
-                                   std::size_t column,
-                                   const Eigen::Vector3f& camera)
-{
-  const Eigen::Vector4f& floor = floor_.coefficients();
-  for (std::size_t i = 0; i < run.length; ++i) {
-    const float height = heightAbove (floor, points[run.first + i]);
-    const float scale = floor[3] / (floor[3] - height);
-    float &x = base_.x[column + i], &y = base_.y[column + i], &z = base_.z[column + i];
-    x = camera.x() + scale * (x - camera.x());
-    y = camera.y() + scale * (y - camera.y());
-    z = camera.z() + scale * (z - camera.z());
-    base_.squares[column + i] = x * x + y * y;
-  }
-}
-
-void
-ObstacleExtraction::addRun (const ObstacleClusters::Run& run,
-                            std::size_t column,
-                            Obstacle& obstacle)
-{
-  obstacle.kind = classes_[run.first] == ObstacleClass::drop_off
-                      ? Obstacle::Kind::drop_off
-                      : Obstacle::Kind::obstacle;
-  const std::size_t before = obstacle.indices.size();
-  obstacle.indices.resize (before + run.length);
-  std::iota (obstacle.indices.begin() + static_cast<std::ptrdiff_t> (before),
-             obstacle.indices.end(),
-             static_cast<pcl::index_t> (run.first));
-  const float* squares = &base_.squares[column];
-  const float nearest = minimum (squares, run.length);
-  if (!(nearest < nearest_[run.cluster]))
-    return;
-  nearest_[run.cluster] = nearest;
-  const auto i = static_cast<std::size_t> (
-      std::find (squares, squares + run.length, nearest) - squares);
-  obstacle.nearest = {base_.x[column + i], base_.y[column + i], base_.z[column + i]};
+  obstacle.direction = std::atan2 (obstacle.nearest.y(), obstacle.nearest.x());
 }
 
 } // namespace rgbd_planes

@@ -6,10 +6,12 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
+#include "mask_bits-inl.h"
 #include "obstacle_kernels.h"
-#include "plane_vectors-inl.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -23,128 +25,202 @@ add (V value, float* sum)
   hn::StoreU (hn::Add (load (sum), value), Floats(), sum);
 }
 
+/** Points of which the heights above the floor tell something. */
+struct Heights {
+  V height;
+  V variance_at_1m; // of the height, times the square of the range
+  Mask measured, obstacle, drop_off, high;
+
+  HWY_INLINE
+  Heights (const Points& p,
+           V squared_range,
+           V sigma,
+           V farthest,
+           const Eigen::Vector4f& floor,
+           const ObstaclePointParameters& parameters)
+  {
+    measured = hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
+                        hn::Le (squared_range, farthest));
+    height = hn::Add (dot (PlaneEquation{floor[0], floor[1], floor[2], 0.f}, p),
+                      set (floor[3]));
+    const V scaled_sigma = hn::Mul (set (floor[3]), sigma);
+    variance_at_1m = hn::Mul (scaled_sigma, scaled_sigma);
+    const V square = hn::Mul (hn::Mul (height, height), squared_range);
+    const auto exceeds = [&] (float sigmas) {
+      return hn::And (measured,
+                      hn::Gt (square, hn::Mul (set (sigmas * sigmas), variance_at_1m)));
+    };
+    obstacle =
+        hn::And (exceeds (point_sigmas), hn::Gt (height, set (parameters.min_height)));
+    drop_off =
+        hn::And (exceeds (drop_sigmas), hn::Lt (height, set (-parameters.min_drop)));
+    high = hn::And (exceeds (0.5f * window_sigmas),
+                    hn::Gt (height, set (0.25f * parameters.min_height)));
+  }
+};
+
+HWY_INLINE void
+addFloor (const Heights& heights, V squared_range, std::size_t i, FloorSums& columns)
+{
+  const Mask may_be_floor =
+      hn::AndNot (hn::Or (heights.obstacle, heights.drop_off), heights.measured);
+  if (hn::AllFalse (Floats(), may_be_floor))
+    return;
+  const V variance = hn::Div (heights.variance_at_1m, squared_range);
+  const V one = set (1.f);
+  add (hn::IfThenElseZero (may_be_floor, heights.height), &columns.height[i]);
+  add (hn::IfThenElseZero (may_be_floor, variance), &columns.variance[i]);
+  add (hn::IfThenElseZero (may_be_floor, one), &columns.points[i]);
+  add (hn::IfThenElseZero (hn::And (may_be_floor, heights.high), one),
+       &columns.high[i]);
+}
+
 } // namespace
 
 void
 classifyRowHere (const PointRow& row,
+                 const PointRow& row_above,
                  const Eigen::Vector4f& floor,
                  const ObstaclePointParameters& parameters,
-                 ObstacleRow& result)
+                 ObstacleClass* classes,
+                 RowLinks& links,
+                 FloorSums& columns)
 {
-  const DepthNoise& noise = parameters.noise;
-  const V one = set (1.f), largest = set (std::numeric_limits<float>::max());
-  const V farthest = set (noise.max_range * noise.max_range);
-  for (std::size_t i = 0; i < row.size(); i += hn::Lanes (Floats())) {
-    const Points p = load (row, static_cast<std::ptrdiff_t> (i));
-    const V height = hn::Add (dot (PlaneEquation{floor[0], floor[1], floor[2], 0.f}, p),
-                              set (floor[3]));
-    const V squared_range = squaredLength (p);
-    const V sigma = hn::Mul (set (floor[3]), sigmaOf (noise, squared_range));
-    const V variance = hn::Div (hn::Mul (sigma, sigma), squared_range);
-    const Mask is_measured =
-        hn::And (hn::Le (squared_range, farthest), hn::Le (variance, largest));
-    const V squared_height = hn::Mul (height, height);
-    const auto exceeds = [&] (float sigmas) {
-      return hn::And (
-          is_measured,
-          hn::Gt (squared_height, hn::Mul (set (sigmas * sigmas), variance)));
-    };
-    const Mask is_obstacle =
-        hn::And (exceeds (point_sigmas), hn::Gt (height, set (parameters.min_height)));
-    const Mask is_drop_off =
-        hn::And (exceeds (drop_sigmas), hn::Lt (height, set (-parameters.min_drop)));
-    const Mask may_be_floor =
-        hn::AndNot (hn::Or (is_obstacle, is_drop_off), is_measured);
-    const Mask is_high =
-        hn::And (hn::And (may_be_floor, exceeds (0.5f * window_sigmas)),
-                 hn::Gt (height, set (0.25f * parameters.min_height)));
-    const auto what = hn::Add (hn::Add (intOf (is_measured, 1), intOf (is_obstacle, 1)),
-                               intOf (is_drop_off, 2));
-    storeBytes (what, &result.what[i]);
-    hn::StoreU (height, Floats(), &result.height[i]);
-    hn::StoreU (variance, Floats(), &result.variance[i]);
-    add (hn::IfThenElseZero (may_be_floor, height), &result.height_sum[i]);
-    add (hn::IfThenElseZero (may_be_floor, variance), &result.variance_sum[i]);
-    add (hn::IfThenElseZero (may_be_floor, one), &result.points[i]);
-    add (hn::IfThenElseZero (is_high, one), &result.high[i]);
+  const float max_range = parameters.noise.max_range;
+  const V farthest =
+      set (std::min (max_range * max_range, std::numeric_limits<float>::max()));
+  for (std::size_t word = 0; word < links.to_left.size(); ++word) {
+    std::uint64_t measured = 0, obstacle = 0, drop_off = 0, to_left = 0, to_above = 0;
+    const std::size_t first = word * bits_in_word;
+    const std::size_t size = std::min (bits_in_word, row.size() - first);
+    for (std::size_t k = 0; k < size; k += hn::Lanes (Floats())) {
+      const auto i = static_cast<std::ptrdiff_t> (first + k);
+      const Points p = load (row, i);
+      const V squared_range = squaredLength (p);
+      const V sigma = sigmaOf (parameters.noise, squared_range);
+      const Heights heights (p, squared_range, sigma, farthest, floor, parameters);
+      measured |= bitsOf (Floats(), heights.measured) << k;
+      obstacle |= bitsOf (Floats(), heights.obstacle) << k;
+      drop_off |= bitsOf (Floats(), heights.drop_off) << k;
+      addFloor (heights, squared_range, first + k, columns);
+
+      const V far = hn::MulAdd (set (max_gap_sigmas), sigma, set (max_gap_m));
+      const V limit = hn::Mul (far, far);
+      const auto closeTo = [&] (const Points& q) {
+        return bitsOf (Floats(), hn::Le (squaredLength (difference (p, q)), limit))
+               << k;
+      };
+      to_left |= closeTo (load (row, i - 1));
+      to_above |= closeTo (load (row_above, i));
+    }
+    links.to_left[word] = to_left;
+    links.to_above[word] = to_above;
+    auto* to = reinterpret_cast<std::uint8_t*> (classes) + first;
+    for (std::size_t k = 0; k < bits_in_word; k += hn::Lanes (Bytes()))
+      hn::StoreU (hn::Add (bytesWhere (measured >> k, 1),
+                           hn::Add (bytesWhere (obstacle >> k, 1),
+                                    bytesWhere (drop_off >> k, 2))),
+                  Bytes(),
+                  to + k);
   }
 }
 
 void
-moveRowHere (const PointRow& row,
-             const Eigen::Affine3f& transform,
-             float* x,
-             float* y,
-             float* z,
-             float* squares)
+findClassesHere (const ObstacleClass* classes, std::size_t size, ClassBits& found)
 {
-  const Eigen::Matrix4f m = transform.matrix();
-  for (std::size_t i = 0; i < row.size(); i += hn::Lanes (Floats())) {
-    const Points p = load (row, static_cast<std::ptrdiff_t> (i));
-    const auto coordinate = [&] (int k) {
-      return hn::Add (dot (PlaneEquation{m (k, 0), m (k, 1), m (k, 2), 0.f}, p),
-                      set (m (k, 3)));
+  std::uint8_t rest[bits_in_word] = {};
+  for (std::size_t word = 0; word < found.obstacle.size(); ++word) {
+    const std::size_t first = word * bits_in_word;
+    const auto* from = reinterpret_cast<const std::uint8_t*> (classes) + first;
+    if (size - first < bits_in_word) {
+      std::copy (from, from + (size - first), rest);
+      from = rest;
+    }
+    const auto bitsWith = [&] (ObstacleClass what) {
+      std::uint64_t bits = 0;
+      for (std::size_t k = 0; k < bits_in_word; k += hn::Lanes (Bytes()))
+        bits |= bitsOf (Bytes(),
+                        hn::Eq (hn::LoadU (Bytes(), from + k),
+                                hn::Set (Bytes(), static_cast<std::uint8_t> (what))))
+                << k;
+      return bits;
     };
-    const V new_x = coordinate (0), new_y = coordinate (1);
-    hn::StoreU (new_x, Floats(), x + i);
-    hn::StoreU (new_y, Floats(), y + i);
-    hn::StoreU (coordinate (2), Floats(), z + i);
-    hn::StoreU (
-        hn::MulAdd (new_x, new_x, hn::Mul (new_y, new_y)), Floats(), squares + i);
+    found.unmeasured[word] = bitsWith (ObstacleClass::unmeasured);
+    found.obstacle[word] = bitsWith (ObstacleClass::obstacle);
+    found.drop_off[word] = bitsWith (ObstacleClass::drop_off);
   }
 }
 
-float
-minimumHere (const float* values, std::size_t count)
+void
+sumCellsHere (FloorSums& columns,
+              std::size_t cell_size,
+              std::size_t cells,
+              FloorSums& sums)
 {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const std::size_t lanes = hn::Lanes (Floats());
-  V smallest = set (infinity);
-  std::size_t i = 0;
-  for (; i + lanes <= count; i += lanes) {
-    const V value = load (values + i);
-    smallest = hn::IfThenElse (hn::Lt (value, smallest), value, smallest);
-  }
-  float result = hn::GetLane (hn::MinOfLanes (Floats(), smallest));
-  for (; i < count; ++i)
-    result = values[i] < result ? values[i] : result;
-  return result;
+  const auto sumUp = [=] (std::vector<float>& values, float* cell_sums) {
+    std::size_t size = cell_size;
+    for (; size % 2 == 0; size /= 2)
+      for (std::size_t i = 0; i < cells * size / 2; i += hn::Lanes (Floats())) {
+        V even, odd;
+        hn::LoadInterleaved2 (Floats(), &values[2 * i], even, odd);
+        hn::StoreU (hn::Add (even, odd), Floats(), &values[i]);
+      }
+    if (size == 1)
+      std::copy_n (values.begin(), cells, cell_sums);
+    else
+      for (std::size_t cell = 0; cell < cells; ++cell)
+        cell_sums[cell] =
+            std::accumulate (&values[cell * size], &values[cell * size] + size, 0.f);
+    std::fill (values.begin(), values.end(), 0.f);
+  };
+  sumUp (columns.height, &sums.height[1]);
+  sumUp (columns.variance, &sums.variance[1]);
+  sumUp (columns.points, &sums.points[1]);
+  sumUp (columns.high, &sums.high[1]);
 }
 
 bool
-scanRowHere (const float* x,
-             const float* y,
-             const float* z,
-             std::size_t size,
-             const ScanLimits& limits,
-             ScanColumns& columns)
+judgeCellsHere (const CellRow& above,
+                const CellRow& row,
+                const CellRow& below,
+                std::size_t cells,
+                const CellLimits& limits,
+                CellVerdicts& verdicts)
 {
-  const V nearest = set (limits.range_min * limits.range_min);
-  const V farthest = set (limits.range_max * limits.range_max);
-  Mask any_stray = hn::MaskFromVec (hn::Zero (Floats()));
-  for (std::size_t i = 0; i < size; i += hn::Lanes (Floats())) {
-    const V px = load (x + i), py = load (y + i);
-    const V square = hn::MulAdd (px, px, hn::Mul (py, py));
-    const Mask is_in_range =
-        hn::And (hn::And (hn::Ge (square, nearest), hn::Le (square, farthest)),
-                 hn::And (hn::Gt (square, hn::Zero (Floats())),
-                          hn::Le (load (z + i), set (limits.max_height))));
-    const auto isLeftOf = [&] (const float* border_x, const float* border_y) {
-      return hn::Ge (hn::Mul (load (border_x), py), hn::Mul (load (border_y), px));
+  Mask any = hn::MaskFromVec (hn::Zero (Floats()));
+  for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
+    const auto sumAround = [i] (const std::vector<float>& a,
+                                const std::vector<float>& b,
+                                const std::vector<float>& c) {
+      V sum = hn::Zero (Floats());
+      for (std::size_t k = i; k < i + 3; ++k)
+        sum =
+            hn::Add (sum, hn::Add (load (&a[k]), hn::Add (load (&b[k]), load (&c[k]))));
+      return sum;
     };
-    const Mask is_in_sector =
-        hn::AndNot (isLeftOf (&columns.left_x[i], &columns.left_y[i]),
-                    isLeftOf (&columns.right_x[i], &columns.right_y[i]));
-    const V closest = load (&columns.squares[i]);
-    const Mask is_closer =
-        hn::And (hn::And (is_in_range, is_in_sector), hn::Lt (square, closest));
-    hn::StoreU (
-        hn::IfThenElse (is_closer, square, closest), Floats(), &columns.squares[i]);
-    const Mask is_stray = hn::AndNot (is_in_sector, is_in_range);
-    any_stray = hn::Or (any_stray, is_stray);
-    storeBytes (intOf (is_stray, 1), &columns.strays[i]);
+    const auto around = [&] (std::vector<float> FloorSums::*values) {
+      return sumAround (above.sums.*values, row.sums.*values, below.sums.*values);
+    };
+    const V points = around (&FloorSums::points);
+    const V height = hn::Div (around (&FloorSums::height), points);
+    const V limit = hn::Div (
+        hn::Mul (set (window_sigmas * window_sigmas), around (&FloorSums::variance)),
+        points);
+    const Mask is_high = hn::And (hn::Gt (height, set (limits.height)),
+                                  hn::Gt (hn::Mul (height, height), limit));
+    const Mask is_other = hn::Ge (sumAround (above.differ, row.differ, below.differ),
+                                  set (limits.samples));
+    const V none = hn::Zero (Floats());
+    const Mask may_be = hn::And (hn::Ge (points, set (limits.points)),
+                                 hn::Or (hn::Gt (load (&row.sums.high[i + 1]), none),
+                                         hn::Gt (load (&row.differ[i + 1]), none)));
+    storeBytes (intOf (hn::And (may_be, is_high), 1), &verdicts.are_high[i]);
+    storeBytes (intOf (hn::And (may_be, is_other), 1), &verdicts.are_other[i]);
+    hn::StoreU (height, Floats(), &verdicts.height[i]);
+    hn::StoreU (limit, Floats(), &verdicts.limit[i]);
+    any = hn::Or (any, hn::And (may_be, hn::Or (is_high, is_other)));
   }
-  return !hn::AllFalse (Floats(), any_stray);
+  return !hn::AllFalse (Floats(), any);
 }
 
 } // namespace HWY_NAMESPACE
@@ -157,45 +233,45 @@ namespace pcl {
 namespace rgbd_planes {
 
 HWY_EXPORT (classifyRowHere);
-HWY_EXPORT (minimumHere);
-HWY_EXPORT (moveRowHere);
-HWY_EXPORT (scanRowHere);
+HWY_EXPORT (findClassesHere);
+HWY_EXPORT (sumCellsHere);
+HWY_EXPORT (judgeCellsHere);
 
 void
 classifyRow (const PointRow& row,
+             const PointRow& row_above,
              const Eigen::Vector4f& floor,
              const ObstaclePointParameters& parameters,
-             ObstacleRow& result)
+             ObstacleClass* classes,
+             RowLinks& links,
+             FloorSums& columns)
 {
-  HWY_DYNAMIC_DISPATCH (classifyRowHere) (row, floor, parameters, result);
-}
-
-float
-minimum (const float* values, std::size_t count)
-{
-  return HWY_DYNAMIC_DISPATCH (minimumHere) (values, count);
+  HWY_DYNAMIC_DISPATCH (classifyRowHere)
+  (row, row_above, floor, parameters, classes, links, columns);
 }
 
 void
-moveRow (const PointRow& row,
-         const Eigen::Affine3f& transform,
-         float* x,
-         float* y,
-         float* z,
-         float* squares)
+findClasses (const ObstacleClass* classes, std::size_t size, ClassBits& found)
 {
-  HWY_DYNAMIC_DISPATCH (moveRowHere) (row, transform, x, y, z, squares);
+  HWY_DYNAMIC_DISPATCH (findClassesHere) (classes, size, found);
+}
+
+void
+sumCells (FloorSums& columns, std::size_t cell_size, std::size_t cells, FloorSums& sums)
+{
+  HWY_DYNAMIC_DISPATCH (sumCellsHere) (columns, cell_size, cells, sums);
 }
 
 bool
-scanRow (const float* x,
-         const float* y,
-         const float* z,
-         std::size_t size,
-         const ScanLimits& limits,
-         ScanColumns& columns)
+judgeCells (const CellRow& above,
+            const CellRow& row,
+            const CellRow& below,
+            std::size_t cells,
+            const CellLimits& limits,
+            CellVerdicts& verdicts)
 {
-  return HWY_DYNAMIC_DISPATCH (scanRowHere) (x, y, z, size, limits, columns);
+  return HWY_DYNAMIC_DISPATCH (judgeCellsHere) (
+      above, row, below, cells, limits, verdicts);
 }
 
 } // namespace rgbd_planes

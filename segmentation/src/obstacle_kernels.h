@@ -5,11 +5,9 @@
 
 #include "plane_kernels.h"
 
+#include <pcl/segmentation/obstacle_clusters.h>
 #include <pcl/segmentation/obstacle_points.h>
 #include <pcl/segmentation/point_row.h>
-#include <pcl/segmentation/scan_builder.h>
-
-#include <Eigen/Geometry>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -23,41 +21,55 @@ constexpr float window_sigmas = 2.75f;
  * downwards by more than their noise. */
 constexpr float drop_sigmas = 8.f;
 
-/** Tells what the points of a row are by their heights above the floor alone, and adds those
- * that may be floor to the sums of \a result. */
+/** Neighbours that are further apart are not of the same thing. */
+constexpr float max_gap_m = 0.05f;
+constexpr float max_gap_sigmas = 3.f;
+
+/** Tells what the points of a row are by their heights above the floor alone, adds those that
+ * may be floor to the sums of their columns, and links neighbours.
+ * \param[out] classes unmeasured, floor, obstacle or drop_off, as many as there are bits in
+ * the words of the row
+ */
 void
 classifyRow (const PointRow& row,
+             const PointRow& row_above,
              const Eigen::Vector4f& floor,
              const ObstaclePointParameters& parameters,
-             ObstacleRow& result);
+             ObstacleClass* classes,
+             RowLinks& links,
+             FloorSums& columns);
 
-/** Moves the points of a row to another frame.
- * \param[out] x, y, z arrays as long as the row
- * \param[out] squares of their distance from the z axis
+/** Tells which of \a size points of a row are of which class. */
+void
+findClasses (const ObstacleClass* classes, std::size_t size, ClassBits& found);
+
+/** Moves sums of columns to the cells that they are in.
+ * \param[in] cells their number
+ * \param[out] sums of cell 0 are number 1
  */
 void
-moveRow (const PointRow& row,
-         const Eigen::Affine3f& transform,
-         float* x,
-         float* y,
-         float* z,
-         float* squares);
+sumCells (FloorSums& columns,
+          std::size_t cell_size,
+          std::size_t cells,
+          FloorSums& sums);
 
-/** The smallest of \a values, without those that are NaN; infinite without any. */
-float
-minimum (const float* values, std::size_t count);
+/** What must be around a cell: measured points, and for an obstacle samples that differ or
+ * a mean height. */
+struct CellLimits {
+  float points, samples, height;
+};
 
-/** Looks for the closest point of each column in its sector.
- * \param[in] size of the row, a multiple of PointRow::block_size
- * \return whether there are strays
+/** Looks at the cells around those of a row.
+ * \param[in] cells their number
+ * \return whether there may be an obstacle in any of them
  */
 bool
-scanRow (const float* x,
-         const float* y,
-         const float* z,
-         std::size_t size,
-         const ScanLimits& limits,
-         ScanColumns& columns);
+judgeCells (const CellRow& above,
+            const CellRow& row,
+            const CellRow& below,
+            std::size_t cells,
+            const CellLimits& limits,
+            CellVerdicts& verdicts);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "obstacle_kernels.h"
+#include "row_bits.h"
 
 #include <pcl/segmentation/obstacle_points.h>
 
@@ -23,11 +24,31 @@ constexpr float part_point_sigmas = 3.f;
 /** Of the 9 of a window. */
 constexpr float enough_samples = 6.f;
 
-template <typename T>
-constexpr T
-square (T x)
+constexpr float
+square (float x)
 {
   return x * x;
+}
+
+/** So many numbers that vectors which begin with the last one end in them. */
+std::size_t
+padded (std::size_t size)
+{
+  return size + PointRow::block_size;
+}
+
+void
+clear (FloorSums& sums, std::size_t size)
+{
+  for (auto* values : {&sums.height, &sums.variance, &sums.points, &sums.high})
+    values->assign (size, 0.f);
+}
+
+void
+clear (CellRow& cells, std::size_t size)
+{
+  clear (cells.sums, size);
+  cells.differ.assign (size, 0.f);
 }
 
 /** Whether a point belongs to a low obstacle where there is one. */
@@ -49,42 +70,58 @@ ObstaclePoints::start (const ObstacleFrame& frame,
   width_ = frame.points.width;
   cell_size_ = std::max (width_ / cells_in_row, 1);
   cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
-  cells_v_ = (frame.points.height + cell_size_ - 1) / cell_size_;
-  cells_.assign (static_cast<std::size_t> (cells_u_ * cells_v_), {});
+  const auto cells = padded (static_cast<std::size_t> (cells_u_) + 2);
+  clear (columns_, cells * static_cast<std::size_t> (cell_size_));
+  for (auto& row : cells_)
+    clear (row, cells);
+  verdicts_.are_high.resize (cells);
+  verdicts_.are_other.resize (cells);
+  verdicts_.height.resize (cells);
+  verdicts_.limit.resize (cells);
 }
 
-void
+int
 ObstaclePoints::addRow (const ObstacleFrame& frame,
                         int v,
                         const PointRow& points,
+                        const PointRow& points_above,
+                        RowLinks& links,
                         std::vector<ObstacleClass>& classes)
 {
-  row_.resize (points.size());
-  classifyRow (points, frame.floor.coefficients(), parameters_, row_);
-  const auto first = static_cast<std::size_t> (v * width_);
-  std::transform (row_.what.begin(),
-                  row_.what.begin() + width_,
-                  classes.begin() + static_cast<std::ptrdiff_t> (first),
-                  [] (std::uint8_t what) { return static_cast<ObstacleClass> (what); });
+  const std::size_t first = static_cast<std::size_t> (v) * width_;
+  row_.resize (links.to_left.size() * bits_in_word);
+  classifyRow (points,
+               points_above,
+               frame.floor.coefficients(),
+               parameters_,
+               row_.data(),
+               links,
+               columns_);
+  if (!frame.floor.isFound()) {
+    std::replace (
+        row_.begin(), row_.end(), ObstacleClass::floor, ObstacleClass::obstacle);
+    std::copy_n (row_.begin(), width_, &classes[first]);
+    return v + 1;
+  }
+  std::copy_n (row_.begin(), width_, &classes[first]);
   if (frame.floor.hasParts())
     acceptParts (frame, first, classes);
-  Cell* cells = &cells_[static_cast<std::size_t> (v / cell_size_ * cells_u_)];
+
+  const int cell_v = v / cell_size_;
+  CellRow& cells = cellRow (cell_v);
+  const bool is_last = v == frame.points.height - 1;
   if (v % cell_size_ == 0)
     sampleRow (frame, first, cells);
-  if (v % cell_size_ == cell_size_ - 1 || v == frame.points.height - 1)
-    sumColumns (cells);
-}
-
-void
-ObstaclePoints::finish (const ObstacleFrame& frame,
-                        std::vector<ObstacleClass>& classes) const
-{
-  for (int v = 0; v < cells_v_; ++v)
-    for (int u = 0; u < cells_u_; ++u) {
-      const Cell& cell = cells_[static_cast<std::size_t> (v * cells_u_ + u)];
-      if (cell.high > 0.f || cell.differ > 0.f)
-        judgeCell (frame, u, v, classes);
-    }
+  if (v % cell_size_ < cell_size_ - 1 && !is_last)
+    return std::max (cell_v - 1, 0) * cell_size_;
+  sumCells (columns_, cell_size_, cells_u_, cells.sums);
+  if (cell_v > 0)
+    judgeRow (frame, cell_v - 1, classes);
+  if (!is_last)
+    return cell_v * cell_size_;
+  clear (cellRow (cell_v + 1), cells.differ.size());
+  judgeRow (frame, cell_v, classes);
+  return v + 1;
 }
 
 void
@@ -92,83 +129,66 @@ ObstaclePoints::acceptParts (const ObstacleFrame& frame,
                              std::size_t first,
                              std::vector<ObstacleClass>& classes) const
 {
-  for (std::size_t u = 0; u < static_cast<std::size_t> (width_); ++u) {
-    ObstacleClass& result = classes[first + u];
-    if (result == ObstacleClass::unmeasured || result == ObstacleClass::floor ||
-        !frame.floor.isPart (frame.planes[first + u]))
+  const std::size_t end = first + static_cast<std::size_t> (width_);
+  for (std::size_t i = first; i < end; ++i) {
+    if (classes[i] == ObstacleClass::unmeasured || classes[i] == ObstacleClass::floor ||
+        !frame.floor.isPart (frame.planes[i]))
       continue;
-    if (std::abs (row_.height[u]) <=
-        part_point_sigmas *
-            parameters_.noise.sigma (squaredRange (frame.points[first + u])))
-      result = ObstacleClass::floor;
+    const float* p = frame.points[i];
+    const float sigma = parameters_.noise.sigma (squaredRange (p));
+    if (std::abs (heightAbove (frame.floor.coefficients(), p)) <=
+        part_point_sigmas * sigma)
+      classes[i] = ObstacleClass::floor;
   }
-}
-
-void
-ObstacleRow::resize (std::size_t points_in_row)
-{
-  if (what.size() == points_in_row)
-    return;
-  what.resize (points_in_row);
-  for (auto* values : {&height, &variance, &height_sum, &variance_sum, &points, &high})
-    values->assign (points_in_row, 0.f);
-}
-
-/** Moves the sums of the columns to the cells that they are in. */
-void
-ObstaclePoints::sumColumns (Cell* cells)
-{
-  for (int begin = 0; begin < width_; begin += cell_size_, ++cells)
-    for (int u = begin; u < std::min (begin + cell_size_, width_); ++u) {
-      const auto column = static_cast<std::size_t> (u);
-      cells->height += row_.height_sum[column];
-      cells->variance += row_.variance_sum[column];
-      cells->points += row_.points[column];
-      cells->high += row_.high[column];
-    }
-  for (auto* sums : {&row_.height_sum, &row_.variance_sum, &row_.points, &row_.high})
-    std::fill (sums->begin(), sums->end(), 0.f);
 }
 
 void
 ObstaclePoints::sampleRow (const ObstacleFrame& frame,
                            std::size_t first,
-                           Cell* cells) const
+                           CellRow& cells) const
 {
-  for (int u = 0; u < width_; u += cell_size_)
-    if (row_.what[u] == static_cast<std::uint8_t> (ObstacleClass::floor)) {
-      const float noise = sample_sigmas * std::sqrt (row_.variance[u]);
-      cells[u / cell_size_].differ =
-          isOtherSurface (frame, first + u, row_.height[u] - noise) ? 1.f : 0.f;
-    }
+  const auto differs = [&] (std::size_t i) {
+    if (isTurned (frame, i))
+      return true;
+    if (!frame.floor.differs (frame.planes[i]))
+      return false;
+    const Eigen::Vector4f& floor = frame.floor.coefficients();
+    const float* p = frame.points[i];
+    return heightAbove (floor, p) >
+           sample_sigmas * std::sqrt (heightVariance (p, floor[3], parameters_.noise));
+  };
+  for (int cell = 0; cell < cells_u_; ++cell) {
+    const int u = cell * cell_size_;
+    cells.differ[cell + 1] =
+        row_[u] == ObstacleClass::floor && differs (first + u) ? 1.f : 0.f;
+  }
 }
 
 bool
-ObstaclePoints::isOtherSurface (const ObstacleFrame& frame,
-                                std::size_t point,
-                                float height) const
+ObstaclePoints::isTurned (const ObstacleFrame& frame, std::size_t point) const
 {
   const Eigen::Vector4f& floor = frame.floor.coefficients();
   const float* normal = frame.normals.normal + point * frame.normals.stride;
-  // Below the floor, a tilted plane can only be one that grew too far.
-  return (height > 0.f && frame.floor.differs (frame.planes[point])) ||
-         floor[0] * normal[0] + floor[1] * normal[1] + floor[2] * normal[2] < min_cos_;
+  return floor[0] * normal[0] + floor[1] * normal[1] + floor[2] * normal[2] < min_cos_;
 }
 
-ObstaclePoints::Cell
-ObstaclePoints::window (int cell_u, int cell_v) const
+void
+ObstaclePoints::judgeRow (const ObstacleFrame& frame,
+                          int cell_v,
+                          std::vector<ObstacleClass>& classes)
 {
-  Cell sum;
-  for (int v = std::max (cell_v - 1, 0); v <= std::min (cell_v + 1, cells_v_ - 1); ++v)
-    for (int u = std::max (cell_u - 1, 0); u <= std::min (cell_u + 1, cells_u_ - 1);
-         ++u) {
-      const Cell& cell = cells_[static_cast<std::size_t> (v * cells_u_ + u)];
-      sum.height += cell.height;
-      sum.variance += cell.variance;
-      sum.points += cell.points;
-      sum.differ += cell.differ;
-    }
-  return sum;
+  // The few points that something else leaves at its rim tell nothing.
+  const float enough_points = static_cast<float> (9 * cell_size_ * cell_size_ / 4);
+  if (!judgeCells (cellRow (cell_v - 1),
+                   cellRow (cell_v),
+                   cellRow (cell_v + 1),
+                   cells_u_,
+                   {enough_points, enough_samples, 0.5f * parameters_.min_height},
+                   verdicts_))
+    return;
+  for (int u = 0; u < cells_u_; ++u)
+    if (verdicts_.are_high[u] || verdicts_.are_other[u])
+      judgeCell (frame, u, cell_v, classes);
 }
 
 void
@@ -177,18 +197,9 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
                            int cell_v,
                            std::vector<ObstacleClass>& classes) const
 {
-  const Cell around = window (cell_u, cell_v);
-  // The few points that something else leaves at its rim tell nothing.
-  const float count = around.points;
-  if (count < static_cast<float> (9 * cell_size_ * cell_size_ / 4))
-    return;
-  const float mean_height = around.height / count;
-  const float limit = square (window_sigmas) * around.variance / count;
-  const bool is_high =
-      mean_height > 0.5f * parameters_.min_height && square (mean_height) > limit;
-  const bool is_other = around.differ >= enough_samples;
-  if (!is_high && !is_other)
-    return;
+  const bool is_high = verdicts_.are_high[cell_u] != 0;
+  const bool is_other = verdicts_.are_other[cell_u] != 0;
+  const float mean_height = verdicts_.height[cell_u], limit = verdicts_.limit[cell_u];
   const Eigen::Vector4f& floor = frame.floor.coefficients();
   const int end_v = std::min ((cell_v + 1) * cell_size_, frame.points.height);
   const int end_u = std::min ((cell_u + 1) * cell_size_, frame.points.width);
@@ -204,9 +215,11 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
       const float factor = frame.floor.isPart (frame.planes[i])
                                ? squaredRange (p) / square (floor[3])
                                : 1.f;
+      // Below the floor, a tilted plane can only be one that grew too far.
       if ((is_high && square (mean_height) > factor * limit &&
            isHigh (height, factor * variance, parameters_)) ||
-          (is_other && isOtherSurface (frame, i, height)))
+          (is_other && (isTurned (frame, i) ||
+                        (height > 0.f && frame.floor.differs (frame.planes[i])))))
         classes[i] = ObstacleClass::obstacle;
     }
 }

@@ -14,14 +14,8 @@ namespace rgbd_planes {
 void
 PointRow::load (const OrganizedPoints& points, int row, const std::uint8_t* selected)
 {
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto width = static_cast<std::size_t> (points.width);
-  if (columns_.size() != width) {
-    columns_.resize (width);
-    std::iota (columns_.begin(), columns_.end(), 0);
-    for (auto& coordinate : coordinates_)
-      coordinate.assign (block_size + size(), nan);
-  }
+  resize (width);
   const std::size_t first = static_cast<std::size_t> (row) * width;
   loadPixels (points[first],
               points.stride,
@@ -32,7 +26,32 @@ PointRow::load (const OrganizedPoints& points, int row, const std::uint8_t* sele
               coordinates_[2].data() + block_size);
   for (std::size_t u = 0; selected && u < width; ++u)
     if (!selected[first + u])
-      coordinates_[0][block_size + u] = nan;
+      coordinates_[0][block_size + u] = std::numeric_limits<float>::quiet_NaN();
+}
+
+void
+PointRow::load (const OrganizedPoints& points,
+                int row,
+                std::size_t begin,
+                std::size_t end)
+{
+  const auto width = static_cast<std::size_t> (points.width);
+  resize (width);
+  for (std::size_t u = begin; u < end; ++u)
+    for (std::size_t k = 0; k < 3; ++k)
+      coordinates_[k][block_size + u] =
+          points[static_cast<std::size_t> (row) * width + u][k];
+}
+
+void
+PointRow::resize (std::size_t width)
+{
+  if (columns_.size() == width)
+    return;
+  columns_.resize (width);
+  std::iota (columns_.begin(), columns_.end(), 0);
+  for (auto& coordinate : coordinates_)
+    coordinate.assign (block_size + size(), std::numeric_limits<float>::quiet_NaN());
 }
 
 } // namespace rgbd_planes

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "obstacle_kernels.h"
+#include "row_bits.h"
+#include "scan_kernels.h"
 
 #include <pcl/segmentation/scan_builder.h>
 
@@ -20,7 +21,7 @@ constexpr float turn = 6.2831853f;
 } // namespace
 
 void
-ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
+ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& scan)
 {
   const float span = limits.angle_max - limits.angle_min;
   // Rounded up, the last direction could be the first one again.
@@ -40,6 +41,17 @@ ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
     }
     column_sectors_.clear();
   }
+  if (column_sectors_.size() != columns) {
+    column_sectors_.assign (columns, sectors_.size() - 1);
+    const std::size_t padded = columns + PointRow::block_size;
+    for (auto* values :
+         {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
+      values->assign (padded, 0.f);
+    columns_.squares.assign (padded, infinity);
+    columns_.x.resize (padded);
+    columns_.y.resize (padded);
+    columns_.strays.assign (wordsFor (columns), 0);
+  }
   limits_ = limits;
   squares_.assign (directions + 1, infinity);
 
@@ -53,23 +65,21 @@ ScanBuilder::start (const ScanLimits& limits, VirtualScan& scan)
 }
 
 void
-ScanBuilder::addRow (const float* x, const float* y, const float* z, std::size_t size)
+ScanBuilder::add (const PointRow& row,
+                  const Eigen::Affine3f& camera_to_base,
+                  const Eigen::Vector4f& floor,
+                  const std::vector<ScanRun>& runs)
 {
-  if (column_sectors_.size() != size) {
-    column_sectors_.assign (size, sectors_.size() - 1);
-    for (auto* values :
-         {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
-      values->assign (size, 0.f);
-    columns_.squares.assign (size, infinity);
-    columns_.strays.resize (size);
+  scanRuns (row, camera_to_base, floor, limits_, runs, columns_);
+  for (std::size_t k = 0; k < columns_.strays.size(); ++k) {
+    forEachBit (columns_.strays[k], [&] (std::size_t bit) {
+      const std::size_t u = k * bits_in_word + bit;
+      const float x = columns_.x[u], y = columns_.y[u];
+      turnColumn (u, find (x, y, u));
+      columns_.squares[u] = x * x + y * y;
+    });
+    columns_.strays[k] = 0;
   }
-  if (!scanRow (x, y, z, size, limits_, columns_))
-    return;
-  for (std::size_t u = 0; u < size; ++u)
-    if (columns_.strays[u]) {
-      turnColumn (u, find (x[u], y[u], column_sectors_[u]));
-      columns_.squares[u] = x[u] * x[u] + y[u] * y[u];
-    }
 }
 
 /** Keeps what a column found, and gives it another sector. */
@@ -87,9 +97,11 @@ ScanBuilder::turnColumn (std::size_t column, std::size_t sector)
 }
 
 std::size_t
-ScanBuilder::find (float x, float y, std::size_t guess) const
+ScanBuilder::find (float x, float y, std::size_t column) const
 {
-  for (const std::size_t near : {guess + 1, guess - 1})
+  const std::size_t last = column_sectors_[column];
+  const std::size_t beside = column_sectors_[column > 0 ? column - 1 : 0];
+  for (const std::size_t near : {last + 1, last - 1, beside, beside + 1, beside - 1})
     if (near < sectors_.size() && sectors_[near].contains (x, y))
       return near;
   const float steps_in_turn = turn / limits_.angle_increment;

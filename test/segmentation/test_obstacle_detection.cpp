@@ -505,6 +505,23 @@ TEST (ObstacleDetection, TheScanHasTheClosestPointOfEachDirection)
   }
 }
 
+TEST (ObstacleDetection, TheScanHasWhatIsKnownLateToBeNoSpeck)
+{
+  const FloorScene scene (only_floor + a_box, pose, 320);
+  Detection detection;
+  setInput (detection, scene);
+  std::vector<Obstacle> expected, found;
+  detection.detect (expected);
+  ASSERT_EQ (expected.size(), 1u);
+  const std::vector<float> ranges = detection.getScan().ranges;
+  // Its last row tells that it is large enough.
+  detection.setMinClusterSize (static_cast<unsigned> (expected[0].indices.size()));
+  detection.detect (found);
+  ASSERT_EQ (found.size(), 1u);
+  EXPECT_EQ (found[0].nearest, expected[0].nearest);
+  EXPECT_EQ (detection.getScan().ranges, ranges);
+}
+
 TEST (ObstacleDetection, AScanOfAlmostAWholeTurnHasEachDirectionOnce)
 {
   // 720 steps of half a degree make a turn; these limits are 719.6 steps apart.

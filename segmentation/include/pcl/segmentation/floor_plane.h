@@ -33,14 +33,6 @@ struct LabelledPlanes {
   }
 };
 
-/** \brief Whether \a point is a measurement, and near enough for its sensor. */
-inline bool
-isUsable (const float* point, const DepthNoise& noise)
-{
-  return isMeasured (point) &&
-         squaredRange (point) <= noise.max_range * noise.max_range;
-}
-
 /** \brief The variance of the height of a point near a floor.
  *
  * Noise moves a point along its ray, and the flatter that meets the floor, the less the
@@ -128,21 +120,30 @@ private:
   struct Samples {
     float height = 0.f; // in the base frame, sum
     std::size_t points = 0;
-    std::size_t off = 0; // above or below the floor
-    float sigmas = 0.f;  // standard deviations of depth above the floor, sum
+    std::size_t off = 0; // above or below the floor, where the plane is tilted
+    float sigmas = 0.f;  // standard deviations of depth above the floor, where not; sum
     bool is_tilted = false;
     bool is_part = false;
   };
 
+  struct SampledPoint {
+    const float* point;
+    std::uint32_t plane;
+  };
+
+  /** Takes about every 64th point that is usable and on a plane. */
   void
-  compare (const OrganizedPoints& points,
-           const LabelledPlanes& planes,
-           const DepthNoise& noise,
-           std::size_t floor);
+  sample (const OrganizedPoints& points,
+          const LabelledPlanes& planes,
+          const DepthNoise& noise);
+
+  void
+  compare (const LabelledPlanes& planes, const DepthNoise& noise, std::size_t floor);
 
   bool found_ = false;
   Eigen::Vector4f coefficients_ = Eigen::Vector4f::Zero();
-  std::vector<Samples> samples_; // one for each plane
+  std::vector<Samples> samples_;     // one for each plane
+  std::vector<SampledPoint> points_; // of the frame at hand
 };
 
 } // namespace rgbd_planes

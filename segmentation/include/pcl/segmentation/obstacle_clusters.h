@@ -8,45 +8,26 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/segmentation/disjoint_sets.h>
-#include <pcl/segmentation/point_row.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Whether the points of an image are close to the one before, and to the one above
- * it: the distance between them is at most 5 cm and three standard deviations of depth. */
-class PCL_RGBD_PLANES_EXPORTS ObstacleLinks {
-public:
-  void
-  resize (const OrganizedPoints& points);
+/** \brief A bit for each point of a row of an image, 64 to a word. */
+using RowBits = std::vector<std::uint64_t>;
 
-  /** \param[in] row_above any row for v = 0 */
-  void
-  addRow (int v,
-          const PointRow& row,
-          const PointRow& row_above,
-          const DepthNoise& noise);
+/** \brief The points of a row that are close to the one before, and to the one above them:
+ * the distance between them is at most 5 cm and three standard deviations of depth. */
+struct RowLinks {
+  RowBits to_left, to_above;
+};
 
-  bool
-  toLeft (std::size_t point) const
-  {
-    return to_left_[point] != 0;
-  }
-
-  bool
-  toAbove (std::size_t point) const
-  {
-    return to_above_[point] != 0;
-  }
-
-private:
-  std::size_t width_ = 0;
-  std::vector<std::uint8_t> to_left_, to_above_;
+/** \brief The points of a row that are of a class. */
+struct ClassBits {
+  RowBits unmeasured, obstacle, drop_off;
 };
 
 /** \brief Connected obstacle points of an image.
@@ -61,21 +42,41 @@ public:
   struct Run {
     std::size_t first;
     std::size_t length;
-    std::uint32_t cluster; /**< or \ref none */
+    std::uint32_t cluster; /**< or \ref none; known in the end */
   };
 
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  /** \brief Finds the clusters.
+  /** \brief Starts with an image.
    * \param[in] min_points the points of smaller clusters become specks
+   */
+  void
+  start (const OrganizedPoints& points,
+         const DepthNoise& noise,
+         std::size_t min_points);
+
+  /** \brief Adds the next row.
+   * \param[in] classes of its points
+   * \param[in] links of its points; those of the first row to the one above are not looked
+   * at
+   */
+  void
+  addRow (const OrganizedPoints& points,
+          const ObstacleClass* classes,
+          const RowLinks& links);
+
+  /** \brief Tells the clusters, after the last row.
    * \param[in,out] classes one for each point
    */
   void
-  compute (const OrganizedPoints& points,
-           const ObstacleLinks& links,
-           const DepthNoise& noise,
-           std::size_t min_points,
-           std::vector<ObstacleClass>& classes);
+  finish (std::vector<ObstacleClass>& classes);
+
+  /** \brief Whether a run may still turn out to be part of a speck, after a row was added. */
+  bool
+  mayBeSpeck (std::size_t run)
+  {
+    return points_[sets_.root (static_cast<std::uint32_t> (run))] < min_points_;
+  }
 
   /** \brief Row by row, from left to right. */
   const std::vector<Run>&
@@ -92,27 +93,35 @@ public:
   }
 
 private:
-  void
-  findRuns (const OrganizedPoints& points,
-            const ObstacleLinks& links,
-            const DepthNoise& noise,
-            std::size_t row,
-            const std::vector<ObstacleClass>& classes);
-
-  template <typename AreConnected>
-  void
-  joinRows (std::pair<std::size_t, std::size_t> above,
-            std::size_t below,
-            std::size_t offset,
-            const std::vector<ObstacleClass>& classes,
-            const AreConnected& areConnected);
+  /** A row that was added: its classes and its runs. */
+  struct Row {
+    ClassBits classes;
+    std::size_t first = 0; // of its points
+    std::size_t runs = 0, end_of_runs = 0;
+  };
 
   void
-  numberClusters (std::size_t min_points, std::vector<ObstacleClass>& classes);
+  findRuns (const OrganizedPoints& points, const RowBits& to_left, Row& row);
 
+  /** Joins runs of two rows where one of \a candidates, points in both of them, is
+   * connected. */
+  template <typename IsConnected>
+  void
+  joinRows (const Row& above,
+            const Row& below,
+            const RowBits& candidates,
+            const IsConnected& isConnected);
+
+  DepthNoise noise_;
+  std::size_t min_points_ = 0;
+  std::size_t width_ = 0;
+  Row rows_[3]; // in turn
+  std::size_t number_of_rows_ = 0;
+  RowBits candidates_;
   std::vector<Run> runs_;
-  DisjointSets sets_;               // of runs, until clusters are numbered
-  std::vector<std::size_t> points_; // of the sets of runs
+  DisjointSets sets_; // of runs, until clusters are numbered
+  /** Of the sets of runs, whose roots have so many at least until all are known. */
+  std::vector<std::size_t> points_;
   std::vector<std::size_t> sizes_;
 };
 

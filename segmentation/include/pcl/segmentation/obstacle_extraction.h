@@ -11,6 +11,7 @@
 #include <pcl/segmentation/obstacle.h>
 #include <pcl/segmentation/obstacle_clusters.h>
 #include <pcl/segmentation/obstacle_points.h>
+#include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/scan_builder.h>
 
 #include <Eigen/Geometry>
@@ -74,51 +75,66 @@ public:
   }
 
 private:
-  /** What the points are, and which of them are linked. */
-  void
-  classify (const ObstacleFrame& frame,
-            const std::uint8_t* selected,
-            const ObstacleParameters& parameters);
+  /** A row that waits for the classes of its points. */
+  struct Row {
+    PointRow points;
+    RowLinks links;
+  };
 
   void
-  exclude (const pcl::Indices& excluded);
+  start (const ObstacleFrame& frame,
+         const pcl::Indices* excluded,
+         const ObstacleParameters& parameters);
+
+  /** Goes on with a row whose classes are final. */
+  void
+  finishRow (const OrganizedPoints& points,
+             int v,
+             const Eigen::Affine3f& camera_to_base);
+
+  void
+  exclude (std::size_t first, std::size_t end);
+
+  /** Adds a run of the row that begins with point \a first to the runs to scan. */
+  void
+  addToScan (std::size_t run, std::size_t first);
+
+  /** Those that were left out because they may be specks. */
+  void
+  scanLateRuns (const OrganizedPoints& points, const Eigen::Affine3f& camera_to_base);
 
   void
   collect (const OrganizedPoints& points,
-           const ObstacleParameters& parameters,
+           const Eigen::Affine3f& camera_to_base,
            std::vector<Obstacle>& obstacles);
 
-  /** Adds the points of the runs of a row to their obstacles and to the scan. */
+  /** \param[in] run that its nearest point is in */
   void
-  addRow (const OrganizedPoints& points,
-          const ObstacleClusters::Run* begin,
-          const ObstacleClusters::Run* end,
-          const Eigen::Affine3f& camera_to_base,
-          std::vector<Obstacle>& obstacles);
+  describe (const OrganizedPoints& points,
+            const ObstacleClusters::Run& run,
+            const Eigen::Affine3f& camera_to_base,
+            Obstacle& obstacle) const;
 
-  void
-  followToFloor (const OrganizedPoints& points,
-                 const ObstacleClusters::Run& run,
-                 std::size_t column,
-                 const Eigen::Vector3f& camera);
-
-  void
-  addRun (const ObstacleClusters::Run& run, std::size_t column, Obstacle& obstacle);
+  Row&
+  rowAt (int v)
+  {
+    return rows_[static_cast<std::size_t> (v) % rows_.size()];
+  }
 
   FloorPlane floor_;
   ObstaclePoints point_classes_;
-  ObstacleLinks links_;
   ObstacleClusters clusters_;
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
-  PointRow rows_[2];
-  /** The points of a row in the base frame. */
-  struct {
-    std::vector<float> x, y, z;
-    std::vector<float> squares; // of their distances from the z axis
-  } base_;
-  std::vector<float> nearest_; // squared distance of each obstacle
+  std::vector<Row> rows_;              // in turn
+  std::vector<std::uint8_t> excluded_; // 1 for these points; empty without any
+  std::vector<float> nearest_; // squared distance of each run; infinite before its scan
+  std::vector<ScanRun> scan_runs_; // of the row at hand
+  PointRow late_row_;
+  // Of each obstacle.
+  std::vector<std::size_t> nearest_runs_;
+  std::vector<pcl::index_t*> ends_; // of its indices so far
 };
 
 } // namespace rgbd_planes

@@ -7,6 +7,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/segmentation/floor_plane.h>
+#include <pcl/segmentation/obstacle_clusters.h>
 #include <pcl/segmentation/point_row.h>
 
 #include <cstddef>
@@ -37,22 +38,30 @@ struct ObstacleFrame {
   const FloorPlane& floor;
 };
 
-/** \brief The points of a row, and sums over the points of each column in a few rows that
- * may be floor; all as long as a PointRow. */
-struct ObstacleRow {
-  /** \brief Sets all sums to 0 where the size changes. */
-  void
-  resize (std::size_t points_in_row);
-
+/** \brief Sums over points that may be floor, one for each column or cell of an image; as
+ * long as vectors need that begin with the last one. */
+struct FloorSums {
   std::vector<float> height;
-  std::vector<float>
-      variance; /**< of the height; NaN or Inf where nothing is measured */
-  std::vector<std::uint8_t> what; /**< unmeasured, floor, obstacle or drop_off */
+  std::vector<float> variance; /**< of the height */
+  std::vector<float> points;   /**< their number */
+  std::vector<float> high; /**< the number of those high enough for a low obstacle */
+};
 
-  std::vector<float> height_sum;
-  std::vector<float> variance_sum;
-  std::vector<float> points;
-  std::vector<float> high; /**< points high enough for a low obstacle */
+/** \brief A row of cells: their sums, and 1 for those whose first point is on another surface.
+ * Cell 0 is number 1, the cells around the row are empty. */
+struct CellRow {
+  FloorSums sums;
+  std::vector<float> differ;
+};
+
+/** \brief What the points around the cells of a row tell; as long as vectors need. */
+struct CellVerdicts {
+  /** 1 for cells that a low obstacle may be in. */
+  std::vector<std::uint8_t> are_high;
+  /** 1 for cells that another surface may be in. */
+  std::vector<std::uint8_t> are_other;
+  std::vector<float> height; /**< mean */
+  std::vector<float> limit;  /**< of the square of the mean height of floor */
 };
 
 /** \brief Tells the floor from all else, point by point (Holz et al. 2011, section 5.1).
@@ -72,33 +81,33 @@ struct ObstacleRow {
  */
 class PCL_RGBD_PLANES_EXPORTS ObstaclePoints {
 public:
-  /** \brief Starts with a frame that has a floor. */
+  /** \brief Starts with a frame. */
   void
   start (const ObstacleFrame& frame, const ObstaclePointParameters& parameters);
 
   /** \brief Looks at the points of the next row.
+   * \param[in] points_above any row for v = 0
+   * \param[out] links of the points
    * \param[out] classes one for each point of the frame
+   * \return the number of rows, from the first one on, whose classes are final:
+   * unmeasured, floor, obstacle or drop_off
    */
-  void
+  int
   addRow (const ObstacleFrame& frame,
           int v,
           const PointRow& points,
+          const PointRow& points_above,
+          RowLinks& links,
           std::vector<ObstacleClass>& classes);
 
-  /** \brief Tells what the points are: unmeasured, floor, obstacle or drop_off. */
-  void
-  finish (const ObstacleFrame& frame, std::vector<ObstacleClass>& classes) const;
+  /** \brief No more rows wait to become final, with the one that is added. */
+  int
+  maxWaiting () const
+  {
+    return 2 * cell_size_;
+  }
 
 private:
-  /** Sums over the points of a cell that may be floor. */
-  struct Cell {
-    float height = 0.f;
-    float variance = 0.f; // of the height
-    float points = 0.f;
-    float high = 0.f;   // points high enough for a low obstacle
-    float differ = 0.f; // 1 where its first point is on another surface
-  };
-
   /** Points of the row on other parts of the floor are floor unless they are too far off
    * for the error of depth. */
   void
@@ -107,14 +116,12 @@ private:
                std::vector<ObstacleClass>& classes) const;
 
   void
-  sumColumns (Cell* cells);
+  sampleRow (const ObstacleFrame& frame, std::size_t first, CellRow& cells) const;
 
   void
-  sampleRow (const ObstacleFrame& frame, std::size_t first, Cell* cells) const;
-
-  /** The cells around a cell, and itself. */
-  Cell
-  window (int cell_u, int cell_v) const;
+  judgeRow (const ObstacleFrame& frame,
+            int cell_v,
+            std::vector<ObstacleClass>& classes);
 
   void
   judgeCell (const ObstacleFrame& frame,
@@ -122,19 +129,26 @@ private:
              int cell_v,
              std::vector<ObstacleClass>& classes) const;
 
-  /** Whether a point has another normal than the floor, or its plane differs and
-   * \a height is positive. */
+  /** The rows of cells before the first one and after the last one are empty. */
+  CellRow&
+  cellRow (int cell_v)
+  {
+    return cells_[(cell_v + 3) % 3];
+  }
+
+  /** Whether the normal of a point is not that of the floor. */
   bool
-  isOtherSurface (const ObstacleFrame& frame, std::size_t point, float height) const;
+  isTurned (const ObstacleFrame& frame, std::size_t point) const;
 
   ObstaclePointParameters parameters_;
   float min_cos_ = 1.f;
   int cell_size_ = 1;
   int width_ = 0;
   int cells_u_ = 0;
-  int cells_v_ = 0;
-  std::vector<Cell> cells_;
-  ObstacleRow row_;
+  std::vector<ObstacleClass> row_; // as long as its words
+  FloorSums columns_;              // of the row of cells at hand
+  CellRow cells_[3];               // in turn
+  CellVerdicts verdicts_;
 };
 
 } // namespace rgbd_planes

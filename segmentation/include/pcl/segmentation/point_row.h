@@ -26,6 +26,10 @@ public:
   void
   load (const OrganizedPoints& points, int row, const std::uint8_t* selected = nullptr);
 
+  /** \brief Loads points \a begin to \a end - 1 of a row; the others are of no use. */
+  void
+  load (const OrganizedPoints& points, int row, std::size_t begin, std::size_t end);
+
   std::size_t
   blocks () const
   {
@@ -58,6 +62,9 @@ public:
   }
 
 private:
+  void
+  resize (std::size_t width);
+
   std::array<std::vector<float>, 3> coordinates_;
   std::vector<std::int32_t> columns_;
 };

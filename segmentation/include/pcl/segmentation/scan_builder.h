@@ -5,8 +5,9 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/obstacle.h>
+#include <pcl/segmentation/point_row.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,27 +22,42 @@ struct ScanColumns {
   /** Unit vectors along the borders of the sectors. */
   std::vector<float> right_x, right_y, left_x, left_y;
   std::vector<float> squares;
-  /** 1 for points of the row at hand that are in another sector. */
-  std::vector<std::uint8_t> strays;
+  /** A bit for each point at hand that is in another sector, 64 to a word, and these
+   * points. */
+  std::vector<std::uint64_t> strays;
+  std::vector<float> x, y;
+};
+
+/** \brief Points \a begin to \a end - 1 of a row of an image. */
+struct ScanRun {
+  std::size_t begin, end;
+  /** They count where their rays meet the floor. */
+  bool are_below_floor;
+  /** Gets the square of the distance of the nearest point from the z axis of the base
+   * frame. */
+  float* nearest_square;
 };
 
 /** \brief Collects points into a virtual scan (Holz et al. 2011, sections 2 and 5.1). */
 class PCL_RGBD_PLANES_EXPORTS ScanBuilder {
 public:
   /** \brief Starts anew.
+   * \param[in] columns of the image
    * \param[in,out] scan the result, which must outlive the additions; its memory is reused
    */
   void
-  start (const ScanLimits& limits, VirtualScan& scan);
+  start (const ScanLimits& limits, std::size_t columns, VirtualScan& scan);
 
-  /** \brief Adds the points of a row of an image in the base frame, metres, without those
-   * that are NaN.
+  /** \brief Adds points of a row of an image.
    *
    * Fastest where the points of a column have the same direction for some rows.
-   * \param[in] size a multiple of PointRow::block_size, the same for all rows
+   * \param[in] floor where rays of points below it meet it
    */
   void
-  addRow (const float* x, const float* y, const float* z, std::size_t size);
+  add (const PointRow& row,
+       const Eigen::Affine3f& camera_to_base,
+       const Eigen::Vector4f& floor,
+       const std::vector<ScanRun>& runs);
 
   /** \brief Fills in the ranges. */
   void
@@ -61,7 +77,7 @@ private:
 
   /** The direction of a point, or sectors_.size() - 1 where it is outside of all. */
   std::size_t
-  find (float x, float y, std::size_t guess) const;
+  find (float x, float y, std::size_t column) const;
 
   void
   turnColumn (std::size_t column, std::size_t sector);

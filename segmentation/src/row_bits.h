@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <hwy/base.h>
+
+#include <pcl/segmentation/obstacle_clusters.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace pcl {
+namespace rgbd_planes {
+
+constexpr std::size_t bits_in_word = 64;
+
+inline std::size_t
+wordsFor (std::size_t points)
+{
+  return (points + bits_in_word - 1) / bits_in_word;
+}
+
+/** The position of the lowest bit of a word that has one. */
+inline std::size_t
+lowestBit (std::uint64_t word)
+{
+  return hwy::Num0BitsBelowLS1Bit_Nonzero64 (word);
+}
+
+/** Calls visit (position) for each bit of a word, from the lowest on. */
+template <typename Visit>
+void
+forEachBit (std::uint64_t word, const Visit& visit)
+{
+  for (; word != 0; word &= word - 1)
+    visit (lowestBit (word));
+}
+
+/** The first point from \a point on whose bit is set; beyond the row without any. */
+inline std::size_t
+nextBit (const RowBits& bits, std::size_t point)
+{
+  std::size_t k = point / bits_in_word;
+  if (k >= bits.size())
+    return std::numeric_limits<std::size_t>::max();
+  const std::uint64_t rest = bits[k] >> point % bits_in_word;
+  if (rest != 0)
+    return point + lowestBit (rest);
+  while (++k < bits.size())
+    if (bits[k] != 0)
+      return k * bits_in_word + lowestBit (bits[k]);
+  return std::numeric_limits<std::size_t>::max();
+}
+
+/** A word whose bits are those of \a bits for the points \a by before its own. */
+inline std::uint64_t
+movedRight (const RowBits& bits, std::size_t k, std::size_t by)
+{
+  const std::uint64_t before = k > 0 ? bits[k - 1] >> (bits_in_word - by) : 0;
+  return bits[k] << by | before;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
