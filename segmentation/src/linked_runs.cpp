@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <hwy/base.h>
+#include "each_bit.h"
 
 #include <pcl/segmentation/linked_runs.h>
 
@@ -11,14 +11,6 @@ namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-template <typename Use>
-void
-forEachBit (unsigned bits, const Use& use)
-{
-  for (; bits != 0; bits &= bits - 1)
-    use (static_cast<unsigned> (hwy::Num0BitsBelowLS1Bit_Nonzero32 (bits)));
-}
 
 std::size_t
 highestBit (unsigned bits)
@@ -64,19 +56,20 @@ LinkedRuns::findRuns (std::uint32_t first, Row& row)
     const unsigned linked_to = (bits.linked | linked_after << block_size) >> 1;
     std::uint32_t* run_from = &row.run_from[block * block_size];
     *run_from = static_cast<std::uint32_t> (runs_.size() - 1);
-    forEachBit (bits.inside & ~unsigned{bits.linked}, [&] (unsigned at) {
+    forEachBit (bits.inside & ~unsigned{bits.linked}, [&] (std::size_t at) {
       run_from[at] = static_cast<std::uint32_t> (runs_.size());
-      runs_.push_back ({first + at, 0});
+      runs_.push_back ({first + static_cast<std::uint32_t> (at), 0});
     });
-    forEachBit (bits.inside & ~linked_to, [&] (unsigned at) {
-      runs_[open].length = first + at + 1 - runs_[open].first;
+    forEachBit (bits.inside & ~linked_to, [&] (std::size_t at) {
+      runs_[open].length =
+          first + static_cast<std::uint32_t> (at) + 1 - runs_[open].first;
       ++open;
     });
   }
 }
 
 std::uint32_t
-LinkedRuns::Row::runAt (std::size_t block, unsigned at) const
+LinkedRuns::Row::runAt (std::size_t block, std::size_t at) const
 {
   const unsigned starts = (bits[block].inside & ~unsigned{bits[block].linked}) | 1u;
   return run_from[block * block_size + highestBit (starts & ((2u << at) - 1u))];
@@ -92,7 +85,7 @@ LinkedRuns::join (const Row& above, const Row& row)
     // Points that go on with the same two runs as those before join nothing new.
     const unsigned joined_before = joined << 1 | is_last_joined;
     forEachBit (joined & ~(joined_before & bits.linked & bits_above.linked),
-                [&] (unsigned at) {
+                [&] (std::size_t at) {
                   sets_.join (above.runAt (block, at), row.runAt (block, at));
                 });
     is_last_joined = joined >> (block_size - 1);

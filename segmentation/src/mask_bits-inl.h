@@ -14,8 +14,6 @@
 #include "plane_vectors-inl.h"
 #include "row_bits.h"
 
-#include <type_traits>
-
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -24,24 +22,6 @@ namespace {
 
 /** As many as there are bits in a word, or in as many vectors as fill it. */
 using Bytes = hn::CappedTag<std::uint8_t, bits_in_word>;
-
-/** A bit for each lane of a mask. */
-template <typename D>
-HWY_INLINE std::uint64_t
-bitsOf (D d, hn::Mask<D> mask)
-{
-  constexpr std::size_t lanes = hn::MaxLanes (D());
-  using Bits = std::conditional_t<
-      lanes <= 8,
-      std::uint8_t,
-      std::conditional_t<
-          lanes <= 16,
-          std::uint16_t,
-          std::conditional_t<lanes <= 32, std::uint32_t, std::uint64_t>>>;
-  Bits bits;
-  hn::StoreMaskBits (d, mask, reinterpret_cast<std::uint8_t*> (&bits));
-  return bits;
-}
 
 /** \a value where \a bits are set, else 0. */
 HWY_INLINE hn::Vec<Bytes>

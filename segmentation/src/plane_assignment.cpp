@@ -12,6 +12,29 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+/** Sums over the points with \a label; near \a reference they differ by little, and single
+ * precision is enough.
+ * \return the number of points; \a sums are left as they are where there is none
+ */
+std::size_t
+sumPointsAround (const Eigen::Vector3d& reference,
+                 const PointBlock& points,
+                 const float* weights,
+                 const std::uint32_t* labels,
+                 std::uint32_t label,
+                 double (&sums)[10])
+{
+  const double origin[] = {reference[0], reference[1], reference[2]};
+  const std::size_t number = sumPoints (points, weights, labels, label, origin, sums);
+  if (number != 0)
+    shiftSums (reference, sums);
+  return number;
+}
+
+} // namespace
+
 void
 PlaneAssignment::layOutTiles (const PlaneSamples& samples,
                               const OrganizedPoints& points)
@@ -185,20 +208,17 @@ PlaneAssignment::sumSamples (const PlaneSamples& samples,
                              std::vector<PlaneMoments>& moments) const
 {
   const std::size_t begin = tile * PlaneSamples::tile_size;
-  // Near points differ by little, and single precision is enough.
   const Eigen::Vector3d reference = samples.measuredPoint (tile).cast<double>();
   for (const TilePlane& plane : planesOf (tile)) {
     double sums[10];
-    const std::size_t number = sumPoints (samplesFrom (samples, begin),
-                                          &samples.weight[begin],
-                                          tile_labels_.data(),
-                                          plane.number,
-                                          {reference[0], reference[1], reference[2]},
-                                          sums);
-    if (number == 0)
-      continue;
-    shiftSums (reference, sums);
-    moments[plane.number].add (sums, number);
+    const std::size_t number = sumPointsAround (reference,
+                                                samplesFrom (samples, begin),
+                                                &samples.weight[begin],
+                                                tile_labels_.data(),
+                                                plane.number,
+                                                sums);
+    if (number != 0)
+      moments[plane.number].add (sums, number);
   }
 }
 
@@ -212,15 +232,14 @@ PlaneAssignment::sumPixels (std::size_t size,
   const Eigen::Vector3d reference = near.cast<double>();
   for (const TilePlane& plane : planesOf (tile)) {
     double sums[10];
-    const std::size_t number = sumPoints ({x_.data(), y_.data(), z_.data(), size},
-                                          ones_.data(),
-                                          tile_labels_.data(),
-                                          plane.number,
-                                          {reference[0], reference[1], reference[2]},
-                                          sums);
+    const std::size_t number = sumPointsAround (reference,
+                                                {x_.data(), y_.data(), z_.data(), size},
+                                                ones_.data(),
+                                                tile_labels_.data(),
+                                                plane.number,
+                                                sums);
     if (number == 0)
       continue;
-    shiftSums (reference, sums);
     moments_[plane.number].add (sums, number);
     const double square = sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3];
     const auto squared_range = static_cast<float> (square / (sums[0] * sums[0]));

@@ -15,6 +15,8 @@
 
 #include <pcl/segmentation/point_row.h>
 
+#include <type_traits>
+
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -137,6 +139,24 @@ isWithin (const Reach& reach, const PlaneEquation& plane, float share = 1.f)
   const auto [distance, towards] = rayOffset (plane, reach.points, reach.range);
   return hn::Le (hn::Mul (distance, reach.range),
                  hn::Mul (hn::Mul (set (share), reach.limit), towards));
+}
+
+/** A bit for each lane of a mask. */
+template <typename D>
+HWY_INLINE std::uint64_t
+bitsOf (D d, hn::Mask<D> mask)
+{
+  constexpr std::size_t lanes = hn::MaxLanes (D());
+  using Bits = std::conditional_t<
+      lanes <= 8,
+      std::uint8_t,
+      std::conditional_t<
+          lanes <= 16,
+          std::uint16_t,
+          std::conditional_t<lanes <= 32, std::uint32_t, std::uint64_t>>>;
+  Bits bits;
+  hn::StoreMaskBits (d, mask, reinterpret_cast<std::uint8_t*> (&bits));
+  return bits;
 }
 
 HWY_INLINE hn::Vec<Ints>

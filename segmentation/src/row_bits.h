@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <hwy/base.h>
+#include "each_bit.h"
 
 #include <pcl/segmentation/obstacle_clusters.h>
 
@@ -20,22 +20,6 @@ inline std::size_t
 wordsFor (std::size_t points)
 {
   return (points + bits_in_word - 1) / bits_in_word;
-}
-
-/** The position of the lowest bit of a word that has one. */
-inline std::size_t
-lowestBit (std::uint64_t word)
-{
-  return hwy::Num0BitsBelowLS1Bit_Nonzero64 (word);
-}
-
-/** Calls visit (position) for each bit of a word, from the lowest on. */
-template <typename Visit>
-void
-forEachBit (std::uint64_t word, const Visit& visit)
-{
-  for (; word != 0; word &= word - 1)
-    visit (lowestBit (word));
 }
 
 /** The first point from \a point on whose bit is set; beyond the row without any. */

@@ -6,8 +6,8 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
+#include "plane_vectors-inl.h"
 #include "run_kernels.h"
-#include <hwy/highway.h>
 
 #include <utility>
 
@@ -17,17 +17,7 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 using Bytes = hn::CappedTag<std::uint8_t, LinkedRuns::block_size>;
-
-HWY_INLINE unsigned
-bitsOf (hn::Mask<Bytes> mask)
-{
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits (Bytes(), mask, bytes);
-  return bytes[0] | static_cast<unsigned> (bytes[1]) << 8;
-}
 
 /** The bits of a block, those for which is_one (i) is true of the bytes from i on. */
 template <typename IsOne>
@@ -36,7 +26,9 @@ bitsWhere (std::size_t block, const IsOne& is_one)
 {
   unsigned bits = 0;
   for (std::size_t k = 0; k < LinkedRuns::block_size; k += hn::Lanes (Bytes()))
-    bits |= bitsOf (is_one (block * LinkedRuns::block_size + k)) << k;
+    bits |= static_cast<unsigned> (
+                bitsOf (Bytes(), is_one (block * LinkedRuns::block_size + k)))
+            << k;
   return bits;
 }
 

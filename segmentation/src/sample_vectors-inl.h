@@ -74,9 +74,7 @@ isTrusted (const PlaneSamples& samples, std::size_t i)
 HWY_INLINE unsigned
 bitsOf (Mask mask)
 {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits (Floats(), mask, bytes);
-  return bytes[0] | static_cast<unsigned> (bytes[1]) << 8;
+  return static_cast<unsigned> (bitsOf (Floats(), mask));
 }
 
 /** By how many degrees a normal may at most differ from that of its plane. */

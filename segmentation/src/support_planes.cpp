@@ -192,23 +192,13 @@ SupportPlanes::optimise (const OrganizedPoints& points,
   if (sample_.size() < 3)
     return best;
   best = sample_.planeOfMost (best);
-  double sums[10] = {};
-  std::size_t agreeing = 0;
+  PlaneMoments moments;
   samplePoints (points, *segmented.inliers, refit_points, [&] (const auto& p) {
     const float squared_range = p.squaredNorm();
     const float sigma = noise.sigma (squared_range);
-    if (!(std::fabs (best.distance (p.data())) < refit_sigmas * sigma))
-      return;
-    const double w = squared_range / (sigma * sigma);
-    const double x = p.x(), y = p.y(), z = p.z(), wx = w * x, wy = w * y, wz = w * z;
-    const double terms[10] = {
-        w, wx, wy, wz, wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
-    for (std::size_t k = 0; k < 10; ++k)
-      sums[k] += terms[k];
-    ++agreeing;
+    if (std::fabs (best.distance (p.data())) < refit_sigmas * sigma)
+      moments.add (p.data(), squared_range / (sigma * sigma));
   });
-  PlaneMoments moments;
-  moments.add (sums, Eigen::Vector3d::Zero(), agreeing);
   const Eigen::Vector3d m = moments.inverseDistance();
   return m.allFinite() ? planeOf (m) : best;
 }

@@ -79,7 +79,7 @@ public:
 private:
   struct Row {
     std::uint32_t
-    runAt (std::size_t block, unsigned at) const;
+    runAt (std::size_t block, std::size_t at) const;
 
     std::vector<RunBits> bits;
     /** The run of each point that starts one, and of the first one of each block. */
