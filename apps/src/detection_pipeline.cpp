@@ -20,8 +20,7 @@ DetectionPipeline::findPlanes (const Cloud::ConstPtr& cloud,
   segmentation_.setInputNormals (normals_);
   segmentation_.setMinInliers (static_cast<unsigned> (
       std::max<std::size_t> (cloud->size() * 1000 / (640 * 480), 3)));
-  segmentation_.segment (
-      models_, inliers_, centroids_, covariances_, *labels_, label_indices_);
+  segmentation_.segment (models_, inliers_, *labels_);
 
   detection_.setCameraToBase (setPose (camera_to_base, models_, extraction_));
 }

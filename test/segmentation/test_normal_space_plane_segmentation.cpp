@@ -243,6 +243,15 @@ TEST (NormalSpacePlanes, OutputsOfTheFrameBeforeAreReplaced)
   segmentation.segment (models, inliers);
   EXPECT_EQ (models.size(), 1u);
   EXPECT_EQ (inliers.at (0).indices, result.inliers[0].indices);
+
+  pcl::PointCloud<pcl::Label> labels (320, 240);
+  segmentation.segment (models, inliers, labels);
+  EXPECT_EQ (models.size(), 1u);
+  EXPECT_EQ (inliers.at (0).indices, result.inliers[0].indices);
+  ASSERT_EQ (labels.width, 160u);
+  ASSERT_EQ (labels.height, 120u);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    ASSERT_EQ (labels[i].label, result.labels[i].label) << i;
 }
 
 TEST (NormalSpacePlanes, IndicesLimitTheSearch)

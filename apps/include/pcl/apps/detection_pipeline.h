@@ -61,9 +61,7 @@ private:
   pcl::PointCloud<pcl::Label>::Ptr labels_ =
       pcl::make_shared<pcl::PointCloud<pcl::Label>>();
   std::vector<pcl::ModelCoefficients> models_;
-  std::vector<pcl::PointIndices> inliers_, label_indices_;
-  decltype (segmentation_)::Centroids centroids_;
-  decltype (segmentation_)::Covariances covariances_;
+  std::vector<pcl::PointIndices> inliers_;
   std::vector<pcl::SupportedObject> objects_;
   std::vector<Obstacle> obstacles_;
 };

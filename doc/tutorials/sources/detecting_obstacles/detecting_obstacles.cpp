@@ -32,12 +32,10 @@ main (int argc, char** argv)
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
   segmentation.setInputCloud (cloud);
   segmentation.setInputNormals (normals);
-  decltype (segmentation)::Regions regions;
   std::vector<pcl::ModelCoefficients> planes;
-  std::vector<pcl::PointIndices> inliers, label_indices, boundaries;
+  std::vector<pcl::PointIndices> inliers;
   auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-  segmentation.segmentAndRefine (
-      regions, planes, inliers, labels, label_indices, boundaries);
+  segmentation.segment (planes, inliers, *labels);
   // [/planes]
 
   // [pose]

@@ -218,6 +218,16 @@ public:
   segment (std::vector<ModelCoefficients>& model_coefficients,
            std::vector<PointIndices>& inlier_indices);
 
+  /** \brief Finds all planes, for ObstacleDetection and PlaneTracker.
+   * \param[out] model_coefficients a, b, c, d of each plane
+   * \param[out] inlier_indices the points of each plane, in ascending order
+   * \param[out] labels the plane of each point, or \ref unlabelled; size of the input
+   */
+  void
+  segment (std::vector<ModelCoefficients>& model_coefficients,
+           std::vector<PointIndices>& inlier_indices,
+           PointCloudL& labels);
+
   /** \brief Finds all planes.
    * \param[out] model_coefficients a, b, c, d of each plane
    * \param[out] inlier_indices the points of each plane, in ascending order

@@ -23,7 +23,7 @@ namespace pcl {
  * \code
  * pcl::PlaneTracker tracker;
  * // for each frame:
- * segmentation.segment (models, inliers, centroids, covariances, labels, label_indices);
+ * segmentation.segment (models, inliers, labels);
  * tracker.track (models, labels, ids); // ids[i] is the identity of models[i]
  * \endcode
  *

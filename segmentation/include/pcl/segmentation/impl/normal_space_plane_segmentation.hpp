@@ -217,14 +217,24 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segment (
     std::vector<ModelCoefficients>& model_coefficients,
     std::vector<PointIndices>& inlier_indices,
+    PointCloudL& labels)
+{
+  segment (model_coefficients, inlier_indices);
+  fillLabels (labels);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segment (
+    std::vector<ModelCoefficients>& model_coefficients,
+    std::vector<PointIndices>& inlier_indices,
     Centroids& centroids,
     Covariances& covariances,
     PointCloudL& labels,
     std::vector<PointIndices>& label_indices)
 {
-  segment (model_coefficients, inlier_indices);
+  segment (model_coefficients, inlier_indices, labels);
   label_indices = inlier_indices;
-  fillLabels (labels);
   centroids.clear();
   covariances.clear();
   for (const auto& moments : plane_extraction_.moments()) {
