@@ -17,6 +17,8 @@ namespace {
 /** Normals at creases may be off by 35 degrees, where their estimator averages over them.
  */
 constexpr float max_min_cosine = 0.82f;
+/** Trusted normals that are farther off, by 60 degrees, are those of another surface. */
+constexpr float other_surface_cosine = 0.5f;
 
 } // namespace
 
@@ -83,6 +85,8 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
                                  std::size_t tile)
 {
   const std::size_t first = candidates_.size(), begin = tile * PlaneSamples::tile_size;
+  const std::uint16_t on_none =
+      samplesWhere (&owners[begin], [] (std::int32_t owner) { return owner < 0; });
   samples.forEachTileAround (tile, [&] (std::size_t other) {
     for (std::size_t k = first_present_[other]; k < first_present_[other + 1]; ++k) {
       const std::uint32_t plane = present_[k];
@@ -95,11 +99,17 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
         continue;
       const std::uint16_t agree =
           compatibleSamples (samples, begin, equations_[plane], max_min_cosine);
-      // A crease may run between a sample and its pixels.
-      candidates_.push_back ({plane, dilate (agree)});
+      // A crease may run between a sample and its pixels...
+      unsigned compatible = dilate (agree);
+      // ... but not to the foot of what stands on a plane and is on none.
+      if (on_none != 0)
+        compatible &=
+            ~on_none |
+            compatibleSamples (samples, begin, equations_[plane], other_surface_cosine);
+      candidates_.push_back ({plane, static_cast<std::uint16_t> (compatible)});
     }
   });
-  if (first == candidates_.size())
+  if (on_none == 0)
     return;
   const std::uint16_t curved = samplesWhere (&owners[begin], [] (std::int32_t owner) {
     return owner == PlaneGrowth::curved_surface;

@@ -289,6 +289,26 @@ TEST (PlaneAdditions, AssignmentIsExactToThePixel)
   EXPECT_EQ (labelsIn (extract (steps, additions), 320, 322), Labels{1});
 }
 
+/** Such as the foot of a thing that stands on a table, within noise of both. */
+TEST (PlaneAdditions, AssignmentLeavesOutWhatFacesElsewhereAndIsOnNoPlane)
+{
+  const std::vector<Surface> wall{tiltedPlane (1.f, 0.f, 0.f)};
+  const Scene scene = render (wall);
+  const auto normals = trueNormals (scene, wall);
+  const int u0 = 300, u1 = 320, v0 = 200, v1 = 220;
+  for (int v = v0; v < v1; ++v)
+    for (int u = u0; u < u1; ++u)
+      (*normals) (u, v).getNormalVector3fMap() = -Eigen::Vector3f::UnitY();
+  const PlaneExtraction extraction = extract (*scene.cloud, *normals, {});
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u) {
+      const bool inside = u >= u0 && u < u1 && v >= v0 && v < v1;
+      ASSERT_EQ (extraction.labels()[static_cast<std::size_t> (v * 640 + u)],
+                 inside ? unlabelled : 0u)
+          << u << ", " << v;
+    }
+}
+
 TEST (PlaneAdditions, IntersectionsLeaveOutWhatTurnsAGrazingPlane)
 {
   // A ceiling at 1 m above the sensor, from 4.5 m to the wall at 5 m.
