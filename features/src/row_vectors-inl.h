@@ -169,7 +169,7 @@ HWY_INLINE Points
 relativePoints (const SensorModel& sensor, V x, V y, V z)
 {
   const Vectors absolute{x, y, z};
-  const auto& origin = sensor.viewpoint;
+  const auto& origin = sensor.origin;
   const Vectors p =
       absolute - Vectors{set (origin[0]), set (origin[1]), set (origin[2])};
   const V squared_range = dot (p, p);

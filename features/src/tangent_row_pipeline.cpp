@@ -58,7 +58,7 @@ TangentRowPipeline::run (const OrganizedPoints& points,
 SensorModel
 TangentRowPipeline::sensor() const
 {
-  return {parameters_->viewpoint,
+  return {parameters_->sensor_origin,
           parameters_->noise.constant,
           parameters_->noise.quadratic,
           parameters_->max_depth_change_factor};

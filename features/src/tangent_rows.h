@@ -15,7 +15,7 @@ namespace rgbd_planes {
 // The steps of tangent_row_pipeline.cpp, each for one row of cells, with the vector
 // instructions of the machine it runs on. A cell is one pixel (step 1) or 2 x 2 pixels
 // (step 2); step pixels of a row of pixels belong to each of its cells. All points are
-// relative to the viewpoint.
+// relative to the sensor.
 
 /** The channels of a row of cells: one of its points, the reciprocal of the distance
  * from it at which planes no longer count (0: the cell has no point). */
@@ -53,7 +53,7 @@ using TangentRow = ChannelRow<std::int32_t>;
 
 /** What is known of the sensor. */
 struct SensorModel {
-  std::array<float, 3> viewpoint;
+  std::array<float, 3> origin;
   /** The standard deviation of depth is constant + quadratic * range^2. */
   float noise_constant;
   float noise_quadratic;

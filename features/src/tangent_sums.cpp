@@ -157,7 +157,7 @@ sumTangentsOf (const PixelRow* pixels,
     const auto [h, v] = cellSums<step> (pixels, i, sensor);
     store (h, sums, 0, i);
     store (v, sums, 3, i);
-    // Next to the viewpoint, tangents can be longer than the range.
+    // Next to the sensor, tangents can be longer than the range.
     const V squared_longest =
         hn::Max (hn::Mul (range, range), hn::Max (dot (h, h), dot (v, v)));
     store (hn::IfThenElseZero (isMeasured (range),

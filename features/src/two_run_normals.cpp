@@ -97,7 +97,7 @@ normalAt (int index,
     return false;
   const Eigen::Vector3f p = Eigen::Vector3f::Map (place);
   const Eigen::Vector3f from_sensor =
-      p - Eigen::Vector3f::Map (parameters.viewpoint.data());
+      p - Eigen::Vector3f::Map (parameters.sensor_origin.data());
   const float z = std::abs (
       from_sensor.dot (Eigen::Vector3f::Map (parameters.viewing_axis.data())));
   const float radius = parameters.radius (z);

@@ -197,6 +197,27 @@ TYPED_TEST (NormalEstimation, NormalsFaceTheViewpoint)
   expectNormal (1.f);
 }
 
+TYPED_TEST (NormalEstimation, TheViewpointOnlyTurnsNormals)
+{
+  const Cloud::Ptr cloud = render (twoWalls(), 160, 120).cloud;
+  const Normals by_default = this->byDefault (cloud);
+  constexpr float far = std::numeric_limits<float>::max();
+  for (const Eigen::Vector3f& viewpoint : {Eigen::Vector3f (0.f, -100.f, 0.f),
+                                           Eigen::Vector3f (1.f, 0.f, 1.f),
+                                           Eigen::Vector3f (0.f, 0.f, far)}) {
+    typename TestFixture::Estimation estimation;
+    estimation.setViewPoint (viewpoint.x(), viewpoint.y(), viewpoint.z());
+    const Normals normals = estimate (estimation, cloud);
+    ASSERT_EQ (normals.size(), by_default.size());
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      const Eigen::Vector3f n = by_default[i].getNormalVector3fMap();
+      const float towards = n.dot (viewpoint - (*cloud)[i].getVector3fMap());
+      const Eigen::Vector3f expected = towards < 0.f ? Eigen::Vector3f (-n) : n;
+      ASSERT_EQ (normals[i].getNormalVector3fMap(), expected) << i;
+    }
+  }
+}
+
 TYPED_TEST (NormalEstimation, ObjectsAreReusableForOtherSizes)
 {
   typename TestFixture::Estimation used;

@@ -119,7 +119,7 @@ TEST (TangentNormalRobustness, ViewpointNextToASurface)
         }
       const Eigen::Vector3f viewpoint = image (18, 4) + distance * truth;
       TangentNormalParameters mode;
-      mode.viewpoint = {{viewpoint.x(), viewpoint.y(), viewpoint.z()}};
+      mode.sensor_origin = {{viewpoint.x(), viewpoint.y(), viewpoint.z()}};
       const ImageNormals normals = compute (image, mode);
       const auto off =
           std::count_if (normals.begin(), normals.end(), [&] (const auto& n) {

@@ -33,8 +33,9 @@ public:
   using PointCloudIn = typename Feature<PointInT, PointOutT>::PointCloudIn;
   using PointCloudOut = typename Feature<PointInT, PointOutT>::PointCloudOut;
 
-  /** \brief Where the sensor is, in the frame and unit of the points: normals face it,
-   * and ranges are distances from it. */
+  /** \brief Normals face this point, in the frame and unit of the points. It tells
+   * nothing else: ranges are distances from the sensor origin of the input, which has to be
+   * set in clouds that are not in the frame of their sensor, as CameraToBase does. */
   void
   setViewPoint (float vpx, float vpy, float vpz)
   {
@@ -65,8 +66,9 @@ protected:
   bool
   initCompute () override;
 
+  /** \brief The \c sensor_origin_ of the input, (0, 0, 0) without one. */
   std::array<float, 3>
-  viewpoint () const;
+  sensorOrigin () const;
 
   /** \brief Whether normals are wanted for given indices, all of them even, instead of
    * the cloud as it is. */
@@ -91,6 +93,10 @@ private:
 
   void
   computeFeature (PointCloudOut& output) final;
+
+  /** \brief Turns normals that face away from the viewpoint. */
+  void
+  faceViewpoint (PointCloudOut& output) const;
 
   std::array<float, 3> viewpoint_{{0.f, 0.f, 0.f}};
   bool use_sensor_origin_ = true;

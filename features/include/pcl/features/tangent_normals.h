@@ -42,7 +42,7 @@ struct TangentNormalParameters {
   /** Tells surfaces apart. */
   DepthNoise noise;
   /** Where the sensor is, in the frame of the points; normals face it. */
-  std::array<float, 3> viewpoint{{0.f, 0.f, 0.f}};
+  std::array<float, 3> sensor_origin{{0.f, 0.f, 0.f}};
 };
 
 /** \brief Where normals go: normal i to the three floats at \a normal + i * stride, its
@@ -61,7 +61,7 @@ struct NormalOutput {
  * those of IntegralImageTangentNormalEstimation. */
 class PCL_RGBD_PLANES_EXPORTS TangentNormals {
 public:
-  /** \brief Writes one normal for every point: of unit length, towards the viewpoint,
+  /** \brief Writes one normal for every point: of unit length, towards the sensor,
    * with the curvature of the surface inside the smoothing area; NaN where the point is
    * missing or no surface is around it.
    * \return the number of normals that are not NaN

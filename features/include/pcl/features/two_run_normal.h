@@ -61,7 +61,7 @@ public:
 
   /** \brief Neighbours within \a constant + \a linear * z; default 0.01 m + 0.01 z.
    *
-   * z is the distance of a point from the viewpoint along the viewing axis: the z axis
+   * z is the distance of a point from the sensor along the viewing axis: the z axis
    * of the sensor, as the \c sensor_orientation_ of the input has it, so that z is the
    * third coordinate of clouds in the frame of their camera. In any other frame \c
    * sensor_orientation_ must be set, or \a linear be 0. Whether the axis points

@@ -24,7 +24,7 @@ struct TwoRunNormalParameters {
   /** 0: one for each processor. */
   unsigned int threads = 0;
   /** Where the sensor is, in the frame of the points; normals face it. */
-  std::array<float, 3> viewpoint{{0.f, 0.f, 0.f}};
+  std::array<float, 3> sensor_origin{{0.f, 0.f, 0.f}};
   /** Where the sensor looks, of unit length. */
   std::array<float, 3> viewing_axis{{0.f, 0.f, 1.f}};
 };
@@ -32,7 +32,7 @@ struct TwoRunNormalParameters {
 /** \brief Normals by principal component analysis in two runs (Holz et al. 2011,
  * section 3) over all neighbours within a radius.
  *
- * Writes one normal for each index: of unit length, towards the viewpoint, with the
+ * Writes one normal for each index: of unit length, towards the sensor, with the
  * curvature of fitPlaneInTwoRuns; NaN where the point is missing, the radius is not
  * positive, or fewer than 3 neighbours, or only neighbours on a line, are inside. The
  * result does not depend on the number of threads.

@@ -74,7 +74,7 @@ std::size_t
 IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
     PointCloudOut& output)
 {
-  parameters_.viewpoint = this->viewpoint();
+  parameters_.sensor_origin = this->sensorOrigin();
   const auto computeAll = [this] (auto& cloud) {
     return tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
                                      parameters_,

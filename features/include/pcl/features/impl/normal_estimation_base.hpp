@@ -5,6 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/normal_3d.h>
 #include <pcl/features/normal_estimation_base.h>
 #include <pcl/type_traits.h>
 
@@ -19,7 +20,7 @@ NormalEstimationBase<PointInT, PointOutT>::getViewPoint (float& vpx,
                                                          float& vpy,
                                                          float& vpz) const
 {
-  const std::array<float, 3> used = viewpoint();
+  const std::array<float, 3> used = use_sensor_origin_ ? sensorOrigin() : viewpoint_;
   vpx = used[0];
   vpy = used[1];
   vpz = used[2];
@@ -27,10 +28,8 @@ NormalEstimationBase<PointInT, PointOutT>::getViewPoint (float& vpx,
 
 template <typename PointInT, typename PointOutT>
 std::array<float, 3>
-NormalEstimationBase<PointInT, PointOutT>::viewpoint() const
+NormalEstimationBase<PointInT, PointOutT>::sensorOrigin() const
 {
-  if (!use_sensor_origin_)
-    return viewpoint_;
   if (!input_)
     return {{0.f, 0.f, 0.f}};
   const Eigen::Vector4f& origin = input_->sensor_origin_;
@@ -75,6 +74,8 @@ NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output
     output.height = 1;
   }
   output.is_dense = output.empty() || computeNormals (output) == output.size();
+  if (!use_sensor_origin_ && viewpoint_ != sensorOrigin())
+    faceViewpoint (output);
 
   if constexpr (pcl::traits::has_xyz<PointOutT>::value)
     for (std::size_t i = 0; i < output.size(); ++i) {
@@ -83,6 +84,23 @@ NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output
       output[i].y = point.y;
       output[i].z = point.z;
     }
+}
+
+template <typename PointInT, typename PointOutT>
+void
+NormalEstimationBase<PointInT, PointOutT>::faceViewpoint (PointCloudOut& output) const
+{
+  const auto [x, y, z] = viewpoint_;
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    auto& n = output[i];
+    flipNormalTowardsViewpoint ((*input_)[(*indices_)[i]],
+                                x,
+                                y,
+                                z,
+                                n.normal_x,
+                                n.normal_y,
+                                n.normal_z);
+  }
 }
 
 } // namespace rgbd_planes

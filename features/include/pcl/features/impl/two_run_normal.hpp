@@ -125,7 +125,7 @@ template <typename PointInT, typename PointOutT>
 std::size_t
 TwoRunNormalEstimation<PointInT, PointOutT>::computeNormals (PointCloudOut& output)
 {
-  parameters_.viewpoint = this->viewpoint();
+  parameters_.sensor_origin = this->sensorOrigin();
   Eigen::Vector3f::Map (parameters_.viewing_axis.data()) =
       (input_->sensor_orientation_ * Eigen::Vector3f::UnitZ()).normalized();
   return rgbd_planes::computeTwoRunNormals (
