@@ -126,8 +126,9 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
   LineDrawer lines (fitCamera (cloud), picture);
   for (const auto& support : supports)
     if (!support.is_on_object)
-      lines.draw (
-          hullLine (support, planeColour (static_cast<std::uint32_t> (support.index))));
+      lines.draw (hullLine (support,
+                            cloud.sensor_origin_.head<3>(),
+                            planeColour (static_cast<std::uint32_t> (support.index))));
   for (const auto& object : objects)
     for (const auto& edge : boxLines (object))
       lines.draw (edge);

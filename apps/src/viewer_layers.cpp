@@ -135,7 +135,9 @@ addObjects (const ViewerFrame& frame, std::vector<ColouredLine>& lines)
 {
   for (const auto& support : frame.segmenter().supportPlanes())
     if (!support.is_on_object)
-      lines.push_back (hullLine (support, planeColour (frame.ids()[support.index])));
+      lines.push_back (hullLine (support,
+                                 frame.cloud().sensor_origin_.head<3>(),
+                                 planeColour (frame.ids()[support.index])));
   for (const auto& object : frame.summary().objects)
     for (auto& edge : boxLines (object))
       lines.push_back (std::move (edge));

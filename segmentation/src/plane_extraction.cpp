@@ -101,6 +101,17 @@ PlaneExtraction::compute (const OrganizedPoints& points,
 }
 
 void
+PlaneExtraction::shift (const Eigen::Vector3f& shift)
+{
+  const Eigen::Vector3d by = shift.cast<double>();
+  for (std::size_t k = 0; k < planes_.size(); ++k) {
+    planes_[k] = planes_[k].shifted (shift);
+    shiftSums (by, moments_[k].sums);
+    parameter_covariances_[k] = shiftedCovariance (parameter_covariances_[k], by);
+  }
+}
+
+void
 PlaneExtraction::assign (const OrganizedPoints& points,
                          const std::vector<std::uint8_t>& selected)
 {

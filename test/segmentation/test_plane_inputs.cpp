@@ -79,6 +79,22 @@ scanRoom ()
 
 } // namespace
 
+TEST (PlaneInputs, MillimetresAreTold)
+{
+  const auto warningAt = [] (float units_per_metre) {
+    const Cloud::Ptr cloud = render (corner()).cloud;
+    for (auto& p : *cloud)
+      p.getVector3fMap() *= units_per_metre;
+    Ours segmentation;
+    Result result;
+    testing::internal::CaptureStderr();
+    segment (segmentation, cloud, result);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ (warningAt (1.f), "");
+  EXPECT_NE (warningAt (1000.f).find ("millimetres"), std::string::npos);
+}
+
 TEST (PlaneInputs, OddSizes)
 {
   Ours segmentation;

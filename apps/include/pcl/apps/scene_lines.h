@@ -13,7 +13,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief A line from each point to the next one, in the camera frame, metres. */
+/** \brief A line from each point to the next one, in the frame of the cloud, metres. */
 struct ColouredLine {
   pcl::RGB colour;
   std::vector<Eigen::Vector3f> points;
@@ -23,9 +23,13 @@ struct ColouredLine {
 std::vector<ColouredLine>
 boxLines (const pcl::SupportedObject& object);
 
-/** \brief The closed hull of a plane that things stand on; no points where it has none. */
+/** \brief The closed hull of a plane that things stand on; no points where it has none.
+ * \param[in] sensor where the sensor is in the frame of the cloud
+ */
 ColouredLine
-hullLine (const SupportPlane& support, const pcl::RGB& colour);
+hullLine (const SupportPlane& support,
+          const Eigen::Vector3f& sensor,
+          const pcl::RGB& colour);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -42,6 +42,14 @@ planeVectors (const std::vector<ModelCoefficients>& models)
   return planes;
 }
 
+/** \brief The plane of points that are shifted by \a shift, its normal towards the origin. */
+inline Eigen::Vector4f
+shifted (Eigen::Vector4f plane, const Eigen::Vector3f& shift)
+{
+  plane[3] -= plane.head<3>().dot (shift);
+  return plane[3] < 0.f ? Eigen::Vector4f (-plane) : plane;
+}
+
 /** \brief m of m * p = 1 for the points p of a plane. */
 inline Eigen::Vector3d
 inverseDistance (const Eigen::Vector4f& plane)

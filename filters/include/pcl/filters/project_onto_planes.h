@@ -26,7 +26,7 @@ namespace pcl {
  * projection.filter (*corrected);
  * \endcode
  *
- * Points move along their viewing ray, from the origin of the camera frame through the
+ * Points move along their viewing ray, from the \c sensor_origin_ of the cloud through the
  * point, which keeps their pixel. Where a ray meets its plane so flat that the point would
  * move more than setMaxRayFactor times its distance from the plane, it moves along the
  * normal of the plane instead, as points do for Direction::normal.
@@ -113,7 +113,9 @@ private:
   assignPlanes ();
 
   void
-  project (const Eigen::Vector4f& plane, PointT& point) const;
+  project (const Eigen::Vector4f& plane,
+           const Eigen::Vector3f& sensor,
+           PointT& point) const;
 
   rgbd_planes::PlaneVectors planes_;
   std::vector<PointIndices> inliers_;

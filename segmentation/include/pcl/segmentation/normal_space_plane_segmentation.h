@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/sensor_points.h>
 #include <pcl/features/set_parameter.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
@@ -39,12 +40,12 @@ namespace pcl {
  * segmentation.segment (model_coefficients, inlier_indices);
  * \endcode
  *
- * Input: an organized cloud in metres, in the camera frame (or any frame whose origin
- * is the sensor), and one normal for each point from any estimator. Points or normals
- * with NaN or Inf, and points (0, 0, 0), are left out. With indices, only these points
- * are segmented. Output: planes by decreasing number of points, with coefficients a, b,
- * c, d such that a x + b y + c z + d = 0, (a, b, c) of unit length and d >= 0, so that
- * the normal faces the sensor. Outputs are replaced, not appended to, and carry the
+ * Input: an organized cloud in metres, in the camera frame or any other in which its \c
+ * sensor_origin_ is the place of the sensor, as CameraToBase sets it, and one normal for each
+ * point from any estimator. Points or normals with NaN or Inf, and points (0, 0, 0), are left
+ * out. With indices, only these points are segmented. Output: planes by decreasing number of
+ * points, with coefficients a, b, c, d such that a x + b y + c z + d = 0, (a, b, c) of unit
+ * length, towards the sensor: d >= 0 where that is at the origin. Outputs are replaced, not appended to, and carry the
  * header of the input; their memory is used again, so that frames like the one before
  * allocate none.
  *
@@ -348,6 +349,9 @@ private:
   extract ();
 
   void
+  warnOfMillimetres () const;
+
+  void
   fillModels (std::vector<ModelCoefficients>& model_coefficients,
               std::vector<PointIndices>& inlier_indices);
 
@@ -374,6 +378,7 @@ private:
   std::vector<double> rms_;
 
   // Memory that is used again:
+  rgbd_planes::SensorPoints relative_points_;
   std::vector<std::uint8_t> selected_;
   std::vector<index_t*> list_ends_;
   rgbd_planes::ConnectedParts parts_;

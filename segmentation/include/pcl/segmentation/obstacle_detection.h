@@ -4,8 +4,10 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/sensor_points.h>
 #include <pcl/features/set_parameter.h>
 #include <pcl/memory.h>
+#include <pcl/filters/plane_points.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
@@ -30,9 +32,10 @@ namespace pcl {
  * detection.detect (obstacles, classes);
  * \endcode
  *
- * Input: an organized cloud in the camera frame in metres, a normal for each point, the
- * planes of the cloud, and the pose of the camera in the base frame (x forward, y left, z
- * up, the floor at z = 0). NaN, Inf and (0, 0, 0) are missing points. With indices, only
+ * Input: an organized cloud in metres, in the camera frame or any other in which its \c
+ * sensor_origin_ is the place of the sensor, as CameraToBase sets it; a normal for each point,
+ * the planes of the cloud, and the pose of its frame in the base frame (x forward, y left, z
+ * up, the floor at z = 0), the identity for clouds of CameraToBase. NaN, Inf and (0, 0, 0) are missing points. With indices, only
  * these points are looked at.
  *
  * The floor is the largest plane that is horizontal and at z = 0 within tolerances; heights
@@ -87,7 +90,8 @@ public:
   setInputPlanes (const std::vector<ModelCoefficients>& model_coefficients,
                   const PointCloudLConstPtr& labels);
 
-  /** \brief The pose of the camera in the base frame, metres; default
+  /** \brief The pose of the frame of the cloud, which mostly is that of the camera, in the
+   * base frame, metres; default
    * rgbd_planes::defaultCameraToBase(), whose z = 0 is no floor but the height of the
    * camera: give a measured pose, or that of CameraToBase::estimateFromFloor. A transform
    * that is not rigid: an error message, and the one before stays. */
@@ -238,11 +242,11 @@ public:
     return extraction_.floor().isFound();
   }
 
-  /** \brief a, b, c, d of the floor in the camera frame; zeros where none was found. */
+  /** \brief a, b, c, d of the floor in the frame of the cloud; zeros where none was found. */
   const Eigen::Vector4f&
   getFloor () const
   {
-    return extraction_.floor().coefficients();
+    return floor_;
   }
 
 protected:
@@ -258,10 +262,13 @@ private:
 
   PointCloudNConstPtr normals_;
   PointCloudLConstPtr labels_;
+  rgbd_planes::PlaneVectors coefficients_;
   rgbd_planes::LabelledPlanes planes_;
   IndicesConstPtr excluded_;
   rgbd_planes::ObstacleParameters parameters_;
+  rgbd_planes::SensorPoints relative_points_;
   rgbd_planes::ObstacleExtraction extraction_;
+  Eigen::Vector4f floor_ = Eigen::Vector4f::Zero();
   std::vector<std::uint8_t> selected_;
 };
 

@@ -95,6 +95,10 @@ public:
     return planes_;
   }
 
+  /** \brief Turns the planes into those of points that are shifted by \a shift. */
+  void
+  shift (const Eigen::Vector3f& shift);
+
   /** \brief Sums over the points of each plane, with weights of 1. */
   const std::vector<PlaneMoments>&
   moments () const

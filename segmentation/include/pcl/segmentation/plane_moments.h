@@ -12,7 +12,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief A plane normal * p + d = 0; d >= 0, so that the normal faces the origin. */
+/** \brief A plane normal * p + d = 0; d >= 0 relative to the sensor, which the normal
+ * faces. */
 struct Plane {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   float d = 0.f;
@@ -21,6 +22,13 @@ struct Plane {
   distance (const float* p) const
   {
     return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] + d;
+  }
+
+  /** \brief The same one where points are shifted by \a shift. */
+  Plane
+  shifted (const Eigen::Vector3f& shift) const
+  {
+    return {normal, d - normal.dot (shift)};
   }
 };
 
@@ -191,6 +199,15 @@ parameterCovariance (const PlaneMoments& moments, const Eigen::Vector3d& m)
   derivative.topRows<3>() = -d * (Eigen::Matrix3d::Identity() - n * n.transpose());
   derivative.bottomRows<1>() = d * d * n.transpose();
   return derivative * moments.second().inverse() * derivative.transpose();
+}
+
+/** \brief The covariance of the coefficients of the plane where points are shifted. */
+inline Eigen::Matrix4d
+shiftedCovariance (const Eigen::Matrix4d& covariance, const Eigen::Vector3d& shift)
+{
+  Eigen::Matrix4d derivative = Eigen::Matrix4d::Identity();
+  derivative.bottomLeftCorner<1, 3>() = -shift.transpose();
+  return derivative * covariance * derivative.transpose();
 }
 
 } // namespace rgbd_planes

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/sensor_points.h>
 #include <pcl/filters/camera_pose.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
@@ -64,7 +65,8 @@ struct SupportedObject {
  * but for setSplitAtConcaveEdges().
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
- * frame whose origin is the sensor will do if the base transform goes with it), and the planes
+ * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the
+ * sensor, as CameraToBase sets it), and the planes
  * that NormalSpacePlaneSegmentation or another segmentation found in it. NaN, Inf and (0, 0, 0)
  * mean missing depth. With indices, only these points can be of objects. Output: objects in
  * the order of their first points, parts of what was split one after the other; replaced,
@@ -261,7 +263,7 @@ public:
            std::vector<SupportedObject>& objects);
 
   /** \brief The horizontal planes in the range of heights, as the last call of extract() found
-   * and optimised them, with their hulls. */
+   * and optimised them, with their hulls, relative to the \c sensor_origin_ of the cloud. */
   const std::vector<rgbd_planes::SupportPlane>&
   getSupportPlanes () const
   {
@@ -303,6 +305,7 @@ private:
   Eigen::Affine3f camera_to_base_ = rgbd_planes::defaultCameraToBase();
   rgbd_planes::ObjectParameters parameters_;
   std::vector<rgbd_planes::SegmentedPlane> planes_;
+  rgbd_planes::SensorPoints relative_points_;
   std::vector<std::uint8_t> selected_;
   rgbd_planes::SupportPlanes supports_;
   rgbd_planes::ObjectClusters clustering_;

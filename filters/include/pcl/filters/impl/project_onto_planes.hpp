@@ -66,32 +66,36 @@ ProjectOntoPlanes<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
+  const Eigen::Vector3f sensor = input_->sensor_origin_.template head<3>();
   output = *input_;
   for (const pcl::index_t index : *indices_) {
     const auto i = static_cast<std::size_t> (index);
     if (plane_of_[i] < planes_.size() && rgbd_planes::isMeasured (&output[i].x))
-      project (planes_[plane_of_[i]], output[i]);
+      project (planes_[plane_of_[i]], sensor, output[i]);
   }
 }
 
 template <typename PointT>
 void
-ProjectOntoPlanes<PointT>::project (const Eigen::Vector4f& plane, PointT& point) const
+ProjectOntoPlanes<PointT>::project (const Eigen::Vector4f& plane,
+                                    const Eigen::Vector3f& sensor,
+                                    PointT& point) const
 {
   const Eigen::Vector3f normal = plane.head<3>();
   Eigen::Map<Eigen::Vector3f> xyz (&point.x);
-  const Eigen::Vector3f p = xyz;
+  const Eigen::Vector3f p = xyz - sensor;
   const float along_normal = normal.dot (p);
-  const float distance = along_normal + plane[3];
+  const float d = plane[3] + normal.dot (sensor);
+  const float distance = along_normal + d;
   if (!std::isfinite (distance))
     return;
   // The point where the ray meets the plane, relative to p.
-  const float scale = -plane[3] / along_normal;
+  const float scale = -d / along_normal;
   const bool is_steep = std::abs (along_normal) * max_ray_factor_ >= p.norm();
   if (direction_ == Direction::viewing_ray && is_steep && scale > 0.f)
-    xyz = scale * p;
+    xyz = sensor + scale * p;
   else
-    xyz = p - distance * normal;
+    xyz -= distance * normal;
 }
 
 } // namespace pcl

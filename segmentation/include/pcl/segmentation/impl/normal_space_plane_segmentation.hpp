@@ -91,14 +91,17 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
     rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
     const PointNT& first = normals_->front();
     plane_extraction_.compute (
-        rgbd_planes::viewPoints (*input_),
+        relative_points_.of (*input_),
         {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
         selected_,
         parameters_);
     header_ = input_->header;
     sensor_origin_ = input_->sensor_origin_;
+    if (!sensor_origin_.head<3>().isZero (0.f))
+      plane_extraction_.shift (sensor_origin_.head<3>());
     sensor_orientation_ = input_->sensor_orientation_;
     width_ = input_->width;
+    warnOfMillimetres();
   }
   else
     plane_extraction_ = rgbd_planes::PlaneExtraction();
@@ -109,6 +112,25 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
   for (std::size_t k = 0; k < planes.size(); ++k)
     rms_[k] = std::sqrt (std::max (moments[k].squaredDistances (planes[k]), 0.) /
                          static_cast<double> (moments[k].points));
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfMillimetres() const
+{
+  constexpr double farther_than_any_room = 100.;
+  const Eigen::Vector3d sensor = sensor_origin_.head<3>().template cast<double>();
+  const auto& moments = plane_extraction_.moments();
+  const bool all_far =
+      std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
+        return (m.mean() - sensor).norm() > farther_than_any_room;
+      });
+  if (!moments.empty() && all_far)
+    PCL_WARN (
+        "[pcl::%s] All planes are more than %g m away: give points in metres, are "
+        "these millimetres?\n",
+        getClassName().c_str(),
+        farther_than_any_room);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -5,7 +5,6 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/obstacle_detection.h>
 
 #include <cmath>
@@ -19,12 +18,11 @@ ObstacleDetection<PointT, PointNT, PointLT>::setInputPlanes (
     const PointCloudLConstPtr& labels)
 {
   labels_ = labels;
-  planes_.coefficients.clear();
+  coefficients_.clear();
   for (const auto& model : model_coefficients) {
     // What is no plane becomes one that is no floor: labels keep their meaning.
     const Eigen::Vector4f plane = rgbd_planes::planeVector (model);
-    planes_.coefficients.push_back (plane.allFinite() ? plane
-                                                      : Eigen::Vector4f::Zero());
+    coefficients_.push_back (plane.allFinite() ? plane : Eigen::Vector4f::Zero());
   }
 }
 
@@ -113,23 +111,32 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obstacles)
 {
+  floor_.setZero();
   if (!checkInput()) {
     obstacles.clear();
     extraction_ = rgbd_planes::ObstacleExtraction();
     return;
   }
+  const Eigen::Vector3f origin = input_->sensor_origin_.template head<3>();
+  rgbd_planes::ObstacleParameters parameters = parameters_;
+  parameters.camera_to_base.translate (origin);
+  planes_.coefficients.clear();
+  for (const auto& plane : coefficients_)
+    planes_.coefficients.push_back (rgbd_planes::shifted (plane, -origin));
   rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
   const PointNT& normal = normals_->front();
   planes_.labels = &labels_->front().label;
   planes_.stride = sizeof (PointLT) / sizeof (std::uint32_t);
   extraction_.compute (
-      rgbd_planes::viewPoints (*input_),
+      relative_points_.of (*input_),
       {&normal.normal_x, &normal.curvature, sizeof (PointNT) / sizeof (float)},
       planes_,
       indices_ ? selected_.data() : nullptr,
       excluded_.get(),
-      parameters_,
+      parameters,
       obstacles);
+  floor_ = extraction_.floor().coefficients();
+  floor_[3] -= floor_.head<3>().dot (origin);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -177,19 +177,23 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     supports_ = rgbd_planes::SupportPlanes();
     return;
   }
+  const Eigen::Vector3f origin = input_->sensor_origin_.template head<3>();
   planes_.clear();
   for (std::size_t k = 0; k < inlier_indices.size(); ++k) {
-    const Eigen::Vector4f plane = rgbd_planes::planeVector (model_coefficients[k]);
+    const Eigen::Vector4f plane = rgbd_planes::shifted (
+        rgbd_planes::planeVector (model_coefficients[k]), -origin);
     planes_.push_back ({{plane.head<3>(), plane[3]}, &inlier_indices[k].indices});
   }
   rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
-  const auto points = rgbd_planes::viewPoints (*input_);
+  const auto points = relative_points_.of (*input_);
   std::size_t count = 0;
   for (const auto& cluster : findClusters (points)) {
     if (isBackground (points, cluster))
       continue;
     objects.resize (std::max (objects.size(), count + 1));
-    describe (points, cluster, objects[count++]);
+    describe (points, cluster, objects[count]);
+    objects[count].centroid += origin;
+    objects[count++].box_center += origin;
   }
   objects.resize (count);
 }
@@ -199,7 +203,8 @@ const std::vector<rgbd_planes::ObjectCluster>&
 SupportedObjectExtraction<PointT, PointNT>::findClusters (
     const rgbd_planes::OrganizedPoints& points)
 {
-  supports_.compute (points, planes_, camera_to_base_, parameters_);
+  const Eigen::Translation3f sensor (input_->sensor_origin_.template head<3>());
+  supports_.compute (points, planes_, camera_to_base_ * sensor, parameters_);
   clustering_.compute (points, selected_, supports_.planes(), parameters_);
   if (!parameters_.split_at_concave_edges)
     return clustering_.clusters();
