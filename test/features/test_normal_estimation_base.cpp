@@ -306,7 +306,7 @@ TYPED_TEST (NormalEstimation, SameBitsForAnyNumberOfThreads)
   typename TestFixture::Estimation estimation;
   estimation.setNumberOfThreads (1);
   const Normals one = estimate (estimation, cloud);
-  for (const unsigned int threads : {0u, 2u, 3u, 5u}) {
+  for (const unsigned int threads : {0u, 2u, 3u, 5u, 1u << 30, -1u}) {
     estimation.setNumberOfThreads (threads);
     EXPECT_TRUE (sameBits (estimate (estimation, cloud), one)) << threads;
   }
