@@ -66,7 +66,8 @@ public:
 
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 
-  /** \brief One normal for each point of the input cloud, in the same order. */
+  /** \brief One normal for each point of the input cloud, in the same order; of unit length,
+   * facing the sensor: points of the floor with another normal are obstacles. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)
   {
