@@ -99,6 +99,9 @@ public:
     feature_name_ = "IntegralImageTangentNormalEstimation";
   }
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~IntegralImageTangentNormalEstimation() override = default;
+
   /** \brief Has no effect, for there is one method here: accepted so that the type name
    * of pcl::IntegralImageNormalEstimation can be swapped for this one. */
   void

@@ -62,6 +62,9 @@ public:
 
   TwoRunNormalEstimation() { feature_name_ = "TwoRunNormalEstimation"; }
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~TwoRunNormalEstimation() override = default;
+
   /** \brief Neighbours within \a constant + \a linear * z; default 0.01 m + 0.01 z.
    *
    * z is the distance of a point from the viewpoint along the viewing axis: the z axis

@@ -52,6 +52,9 @@ public:
 
   CameraToBase() { filter_name_ = "CameraToBase"; }
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~CameraToBase() override = default;
+
   /** \brief The pose of the camera in the base frame, metres; default
    * rgbd_planes::defaultCameraToBase(). A transform that is not rigid: an error message,
    * and the one before stays. */

@@ -66,6 +66,9 @@ public:
 
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~ObstacleDetection() override = default;
+
   /** \brief One normal for each point of the input cloud, in the same order; of unit length,
    * facing the sensor: points of the floor with another normal are obstacles. */
   void
