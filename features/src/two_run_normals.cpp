@@ -19,6 +19,9 @@ namespace rgbd_planes {
 
 namespace {
 
+/** Fewer points are not worth a thread. */
+constexpr std::size_t part_size = 256;
+
 /** Finds the neighbours of a place, point \a index of the cloud, within a radius. */
 using NeighbourSearch = std::function<void (
     int index, const float* place, float radius, std::vector<int>& found)>;
@@ -129,13 +132,17 @@ computeTwoRunNormals (const OrganizedPoints& points,
                                      ? searchWindow (points, parameters.window_size)
                                  : surface.height > 1 ? searchImage (surface)
                                                       : searchTree (surface);
-  const auto threads = static_cast<int> (numberOfThreads (parameters.threads));
+  const std::size_t parts = (indices.size() + part_size - 1) / part_size;
+  const int threads =
+      std::clamp (static_cast<int> (numberOfThreads (parameters.threads)),
+                  1,
+                  std::max (static_cast<int> (parts), 1));
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   std::size_t valid = 0;
 #pragma omp parallel num_threads(threads) reduction(+ : valid)
   {
     Workspace workspace;
-#pragma omp for schedule(dynamic, 256)
+#pragma omp for schedule(dynamic, part_size)
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const float* place = points[static_cast<std::size_t> (indices[i])];
       LocalPlane plane;

@@ -3,6 +3,7 @@
 
 #include "normal_clouds.h"
 
+#include <pcl/common/io.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/two_run_normal.h>
 #include <pcl/search/kdtree.h>
@@ -44,6 +45,20 @@ protected:
   }
 
   /** Expects 0 x 0 and one line of error that contains \a cure. */
+  template <typename PointInT, typename PointOutT>
+  static void
+  expectRefused (pcl::Feature<PointInT, PointOutT>& feature,
+                 pcl::PointCloud<PointOutT>& output,
+                 const std::string& cure)
+  {
+    ::testing::internal::CaptureStderr();
+    feature.compute (output);
+    const std::string error = ::testing::internal::GetCapturedStderr();
+    EXPECT_TRUE (output.empty() && output.width == 0 && output.height == 0) << cure;
+    EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1) << error;
+    EXPECT_NE (error.find (cure), std::string::npos) << error;
+  }
+
   static void
   expectRefused (const Cloud::ConstPtr& cloud,
                  const pcl::IndicesPtr& indices,
@@ -55,12 +70,7 @@ protected:
     if (indices)
       feature->setIndices (indices);
     Normals normals (3, 2);
-    ::testing::internal::CaptureStderr();
-    feature->compute (normals);
-    const std::string error = ::testing::internal::GetCapturedStderr();
-    EXPECT_TRUE (normals.empty() && normals.width == 0 && normals.height == 0) << cure;
-    EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1) << error;
-    EXPECT_NE (error.find (cure), std::string::npos) << error;
+    expectRefused (*feature, normals, cure);
   }
 };
 
@@ -123,6 +133,30 @@ TYPED_TEST (NormalEstimation, IndicesGiveOneNormalEachInTheirOrder)
     EXPECT_EQ (some.height, 1u);
     for (std::size_t i = 0; i < indices.size(); ++i)
       ASSERT_TRUE (sameBits (some[i], all[indices[i]])) << i;
+  }
+}
+
+TYPED_TEST (NormalEstimation, InputMayBeTheOutputButNotWithIndices)
+{
+  using Point = pcl::PointXYZRGBNormal;
+  const Cloud::Ptr holes = makeHoles();
+  const auto cloud = pcl::make_shared<pcl::PointCloud<Point>>();
+  pcl::copyPointCloud (*holes, *cloud);
+  (*cloud)[8].r = 77;
+  typename TypeParam::template Estimation<Point, Point> estimation;
+  estimation.setInputCloud (cloud);
+  estimation.compute (*cloud);
+  Normals normals;
+  pcl::copyPointCloud (*cloud, normals);
+  EXPECT_TRUE (sameBits (normals, this->byDefault (holes)));
+  EXPECT_EQ (cloud->width, holes->width);
+  EXPECT_EQ ((*cloud)[8].r, 77);
+
+  for (const std::size_t number :
+       {holes->size() / 3, holes->size(), holes->size() * 2}) {
+    pcl::copyPointCloud (*holes, *cloud);
+    estimation.setIndices (pcl::make_shared<pcl::Indices> (number, 8));
+    this->expectRefused (estimation, *cloud, "into another cloud");
   }
 }
 
@@ -293,7 +327,7 @@ TYPED_TEST (NormalEstimation, SameBitsForAnyNumberOfThreads)
   typename TestFixture::Estimation estimation;
   estimation.setNumberOfThreads (1);
   const Normals one = estimate (estimation, cloud);
-  for (const unsigned int threads : {0u, 2u, 3u, 5u}) {
+  for (const unsigned int threads : {0u, 2u, 3u, 5u, 1u << 30, -1u}) {
     estimation.setNumberOfThreads (threads);
     EXPECT_TRUE (sameBits (estimate (estimation, cloud), one)) << threads;
   }

@@ -3,6 +3,7 @@
 
 #include "normal_clouds.h"
 
+#include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/features/two_run_normal.h>
 
@@ -47,6 +48,22 @@ TEST (TwoRunNormal, SearchSurface)
   ASSERT_EQ (normals.size(), few->size());
   for (std::size_t i = 0; i < normals.size(); ++i)
     EXPECT_TRUE (sameBits (normals[i], all[i * 50])) << i;
+}
+
+TEST_F (TwoRunNormalErrors, TheSearchSurfaceIsNoOutput)
+{
+  const auto surface = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
+  pcl::copyPointCloud (*makeHoles(), *surface);
+  pcl::TwoRunNormalEstimation<pcl::PointNormal, pcl::PointNormal> estimation;
+  estimation.setInputCloud (surface);
+  estimation.setSearchSurface (surface);
+  estimation.compute (*surface);
+  EXPECT_EQ (surface->width, 160u) << "as it is the input, too";
+  const auto few = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
+  few->assign (surface->begin(), surface->begin() + 50, 10);
+  estimation.setInputCloud (few);
+  estimation.compute (*surface);
+  EXPECT_TRUE (surface->empty());
 }
 
 TEST_F (TwoRunNormalErrors, BadNeighbourhoodsGiveEmptyOutput)

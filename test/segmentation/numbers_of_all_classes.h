@@ -27,8 +27,13 @@
 template <typename PointT, typename PointNT, typename PointLT>
 class NumbersOfAllClasses {
 public:
-  NumbersOfAllClasses()
+  NumbersOfAllClasses() { find(); }
+
+  /** Sets all inputs anew, and gives other numbers from then on. */
+  void
+  find ()
   {
+    numbers_.clear();
     std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
     for (const auto& face : synthetic::box ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.25f}))
       patches.push_back (face);
@@ -36,10 +41,12 @@ public:
                                        synthetic::cameraPose (0.8f, 0.45f),
                                        160,
                                        [] (float z) { return 0.001f * z; });
+    cloud_ = pcl::make_shared<Cloud>();
+    normals_ = pcl::make_shared<pcl::PointCloud<PointNT>>();
     pcl::copyPointCloud (*scene.cloud, *cloud_);
     pcl::copyPointCloud (*scene.normals, *normals_);
-    estimate<pcl::IntegralImageTangentNormalEstimation<PointT, PointNT>> ("tangent");
-    estimate<pcl::TwoRunNormalEstimation<PointT, PointNT>> ("two_run");
+    estimate (tangents_, "tangent");
+    estimate (two_runs_, "two_run");
     segment();
     findObjects (scene.camera_to_base);
     findObstacles (scene.camera_to_base);
@@ -79,9 +86,8 @@ private:
 
   template <typename Estimation>
   void
-  estimate (const std::string& name)
+  estimate (Estimation& estimation, const std::string& name)
   {
-    Estimation estimation;
     estimation.setInputCloud (cloud_);
     pcl::PointCloud<PointNT> normals;
     estimation.compute (normals);
@@ -94,14 +100,13 @@ private:
   void
   segment ()
   {
-    pcl::NormalSpacePlaneSegmentation<PointT, PointNT, PointLT> segmentation;
-    segmentation.setMinInliers (200);
-    segmentation.setProjectPoints (true);
-    segmentation.setInputCloud (cloud_);
-    segmentation.setInputNormals (normals_);
-    typename decltype (segmentation)::Regions regions;
+    segmentation_.setMinInliers (200);
+    segmentation_.setProjectPoints (true);
+    segmentation_.setInputCloud (cloud_);
+    segmentation_.setInputNormals (normals_);
+    typename decltype (segmentation_)::Regions regions;
     std::vector<pcl::PointIndices> label_indices, boundary_indices;
-    segmentation.segmentAndRefine (
+    segmentation_.segmentAndRefine (
         regions, models_, inliers_, labels_, label_indices, boundary_indices);
     for (const auto& model : models_)
       for (const float number : model.values)
@@ -118,13 +123,12 @@ private:
   void
   findObjects (const Eigen::Affine3f& camera_to_base)
   {
-    pcl::SupportedObjectExtraction<PointT, PointNT> extraction;
-    extraction.setInputCloud (cloud_);
-    extraction.setInputNormals (normals_);
-    extraction.setSplitAtConcaveEdges (true);
-    extraction.setBaseTransform (camera_to_base);
+    extraction_.setInputCloud (cloud_);
+    extraction_.setInputNormals (normals_);
+    extraction_.setSplitAtConcaveEdges (true);
+    extraction_.setBaseTransform (camera_to_base);
     std::vector<pcl::SupportedObject> objects;
-    extraction.extract (models_, inliers_, objects);
+    extraction_.extract (models_, inliers_, objects);
     for (const auto& object : objects) {
       add ("objects", object.indices.indices);
       add ("objects", object.box_size.sum());
@@ -134,14 +138,14 @@ private:
   void
   findObstacles (const Eigen::Affine3f& camera_to_base)
   {
-    pcl::ObstacleDetection<PointT, PointNT, PointLT> detection;
-    detection.setCameraToBase (camera_to_base);
-    detection.setInputCloud (cloud_);
-    detection.setInputNormals (normals_);
-    detection.setInputPlanes (models_, labels_);
+    detection_.setCameraToBase (camera_to_base);
+    detection_.setInputCloud (cloud_);
+    detection_.setInputNormals (normals_);
+    detection_.setInputPlanes (models_, labels_);
+    classes_ = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
     std::vector<pcl::rgbd_planes::Obstacle> obstacles;
     pcl::PointCloud<PointLT> classes;
-    detection.detect (obstacles, classes);
+    detection_.detect (obstacles, classes);
     for (const auto& obstacle : obstacles)
       add ("obstacles", obstacle.indices);
     for (const auto& point : classes) {
@@ -156,38 +160,41 @@ private:
   filter (const Eigen::Affine3f& camera_to_base)
   {
     pcl::PointCloud<PointT> output;
-    pcl::ObstacleFilter<PointT> obstacle_filter;
-    obstacle_filter.setInputCloud (cloud_);
-    obstacle_filter.setClasses (classes_);
-    obstacle_filter.filter (output);
+    obstacle_filter_.setInputCloud (cloud_);
+    obstacle_filter_.setClasses (classes_);
+    obstacle_filter_.filter (output);
     add ("obstacle points", output);
-    pcl::ProjectOntoPlanes<PointT> projection;
-    projection.setInputCloud (cloud_);
-    projection.setPlanes (models_, inliers_);
-    projection.filter (output);
+    projection_.setInputCloud (cloud_);
+    projection_.setPlanes (models_, inliers_);
+    projection_.filter (output);
     add ("projected points", output);
-    pcl::DepthWarpCorrection<PointT> correction;
-    correction.addFrame (cloud_, models_, inliers_);
-    correction.setInputCloud (cloud_);
-    correction.filter (output);
+    correction_.clearFrames();
+    correction_.addFrame (cloud_, models_, inliers_);
+    correction_.setInputCloud (cloud_);
+    correction_.filter (output);
     add ("corrected points", output);
-    pcl::CameraToBase<PointT> to_base;
-    to_base.setTransform (camera_to_base);
-    to_base.setInputCloud (cloud_);
-    to_base.filter (output);
+    to_base_.setTransform (camera_to_base);
+    to_base_.setInputCloud (cloud_);
+    to_base_.filter (output);
     add ("points in the base frame", output);
   }
 
   using Cloud = pcl::PointCloud<PointT>;
-  typename Cloud::Ptr cloud_ = pcl::make_shared<Cloud>();
-  typename pcl::PointCloud<PointNT>::Ptr normals_ =
-      pcl::make_shared<pcl::PointCloud<PointNT>>();
+  pcl::IntegralImageTangentNormalEstimation<PointT, PointNT> tangents_;
+  pcl::TwoRunNormalEstimation<PointT, PointNT> two_runs_;
+  pcl::NormalSpacePlaneSegmentation<PointT, PointNT, PointLT> segmentation_;
+  pcl::SupportedObjectExtraction<PointT, PointNT> extraction_;
+  pcl::ObstacleDetection<PointT, PointNT, PointLT> detection_;
+  pcl::ObstacleFilter<PointT> obstacle_filter_;
+  pcl::ProjectOntoPlanes<PointT> projection_;
+  pcl::DepthWarpCorrection<PointT> correction_;
+  pcl::CameraToBase<PointT> to_base_;
+  typename Cloud::Ptr cloud_;
+  typename pcl::PointCloud<PointNT>::Ptr normals_;
   std::vector<pcl::ModelCoefficients> models_;
   std::vector<pcl::PointIndices> inliers_;
-  typename pcl::PointCloud<PointLT>::Ptr labels_ =
-      pcl::make_shared<pcl::PointCloud<PointLT>>();
-  pcl::PointCloud<pcl::Label>::Ptr classes_ =
-      pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+  typename pcl::PointCloud<PointLT>::Ptr labels_;
+  pcl::PointCloud<pcl::Label>::Ptr classes_;
   std::map<std::string, std::vector<double>> numbers_;
 };
 

@@ -703,6 +703,14 @@ TEST (ObstacleDetection, SettersRefuseWhatMakesNoSense)
     detection.setScanLimits (limits);
     EXPECT_FALSE (std::isnan (detection.getScanLimits().*limit));
   }
+  for (const auto& [nearest, farthest] : {std::pair (-0.5f, 2.f), {-3.f, -2.f}}) {
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.range_min = nearest;
+    limits.range_max = farthest;
+    detection.setScanLimits (limits);
+    EXPECT_EQ (detection.getScanLimits().range_min, 0.f);
+    EXPECT_EQ (detection.getScanLimits().range_max, 10.f);
+  }
   for (const float wrong : {-1.f, not_a_number}) {
     detection.setFloorTolerances (wrong, wrong);
     detection.setMinObstacleHeight (wrong);

@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace {
 
@@ -130,6 +131,18 @@ TEST (PlaneTracker, FramesOfAnotherSizeAreScaled)
   EXPECT_EQ (track (tracker, row ({wall, wall}, "aaaabbbb")), (Ids{0, 1}));
   EXPECT_EQ (track (tracker, row ({wall, wall}, "bbaa")), (Ids{1, 0}));
   EXPECT_EQ (track (tracker, row ({wall, wall}, "aaaaaaaabbbbbbbb")), (Ids{0, 1}));
+}
+
+TEST (PlaneTracker, MovedObjectsTrackOn)
+{
+  const Image frame = row ({wall, ground}, "aaabbb");
+  pcl::PlaneTracker from;
+  track (from, frame);
+  pcl::PlaneTracker to = std::move (from);
+  for (auto* tracker : {&from, &to}) {
+    const Ids ids = track (*tracker, frame);
+    EXPECT_EQ (track (*tracker, frame), ids);
+  }
 }
 
 TEST (PlaneTracker, FramesWithoutPlanesOrPixels)

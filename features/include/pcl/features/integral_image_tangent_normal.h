@@ -54,9 +54,12 @@ namespace pcl {
  * that a smooth patch of the same bend would have. Coordinates are copied where
  * PointOutT has them.
  *
- * A null, empty or unorganized cloud, or an index outside of it: an error message and
- * an empty output. setKSearch, setRadiusSearch, setSearchMethod and setSearchSurface have
- * no effect. Nothing is allocated after the first of several clouds of the same size.
+ * Output and input may be the same cloud, which keeps its other fields; not with indices.
+ *
+ * A null, empty or unorganized cloud, an index outside of it, or indices where output and
+ * input are the same cloud: an error message and an empty output. setKSearch,
+ * setRadiusSearch, setSearchMethod and setSearchSurface have no effect. Nothing is
+ * allocated after the first of several clouds of the same size.
  *
  * Objects are copyable; several threads need one each.
  *
@@ -95,6 +98,9 @@ public:
   {
     feature_name_ = "IntegralImageTangentNormalEstimation";
   }
+
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~IntegralImageTangentNormalEstimation() override = default;
 
   /** \brief Has no effect, for there is one method here: accepted so that the type name
    * of pcl::IntegralImageNormalEstimation can be swapped for this one. */

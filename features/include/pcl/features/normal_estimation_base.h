@@ -20,8 +20,9 @@ namespace rgbd_planes {
  * Output: as many points as the input (width x height kept), or one for each index
  * (N x 1) when indices are given, in their order; header and pose of the sensor are
  * those of the input; \c is_dense tells whether all normals are valid; coordinates are
- * copied where PointOutT has them. A null cloud, an index outside of the cloud, or what
- * an estimator refuses: one error message and an empty output (0 x 0).
+ * copied where PointOutT has them. Without indices, the output may be the input cloud. A
+ * null cloud, an index outside of the cloud, indices where output and input are the same
+ * cloud, or what an estimator refuses: one error message and an empty output (0 x 0).
  *
  * The neighbourhoods of Feature (setKSearch, setRadiusSearch, setSearchMethod) have no
  * effect: no search structure is built, and clouds need not be projective.
@@ -85,7 +86,7 @@ private:
   complaint () const = 0;
 
   /** \brief Writes normals and curvatures to \a output, which has its size and is not
-   * empty; NaN where there is none.
+   * empty; NaN where there is none. After an error message, \a output is cleared.
    * \return the number of normals that are not NaN
    */
   virtual std::size_t

@@ -37,8 +37,11 @@ namespace pcl {
  * PointOutT has them. With setSearchSurface the neighbours are taken from another
  * cloud; setKSearch, setRadiusSearch and setSearchMethod have no effect.
  *
- * A null or empty cloud, or an index outside of it: an error message and an empty
- * output.
+ * Output and input may be the same cloud, which keeps its other fields; not with indices.
+ *
+ * A null or empty cloud, an index outside of it, indices where output and input are the
+ * same cloud, or an output that is the search surface but not the input: an error message
+ * and an empty output.
  *
  * \ingroup features
  */
@@ -58,6 +61,9 @@ public:
   using typename Base::PointCloudOut;
 
   TwoRunNormalEstimation() { feature_name_ = "TwoRunNormalEstimation"; }
+
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~TwoRunNormalEstimation() override = default;
 
   /** \brief Neighbours within \a constant + \a linear * z; default 0.01 m + 0.01 z.
    *

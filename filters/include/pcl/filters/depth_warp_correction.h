@@ -66,6 +66,9 @@ public:
 
   DepthWarpCorrection() { filter_name_ = "DepthWarpCorrection"; }
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~DepthWarpCorrection() override = default;
+
   /** \brief Adds what the planes of a frame tell; false after an error message where there is no
    * cloud, it is no image of the size of the frames before, or the planes are not those of the
    * cloud.

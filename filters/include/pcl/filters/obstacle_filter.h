@@ -54,6 +54,9 @@ public:
     filter_name_ = "ObstacleFilter";
   }
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~ObstacleFilter() override = default;
+
   /** \brief The rgbd_planes::ObstacleClass of each point of the input cloud. */
   void
   setClasses (const Classes::ConstPtr& classes)

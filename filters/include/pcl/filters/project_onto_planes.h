@@ -57,6 +57,9 @@ public:
 
   ProjectOntoPlanes() { filter_name_ = "ProjectOntoPlanes"; }
 
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~ProjectOntoPlanes() override = default;
+
   /** \brief The planes in the frame of the input and their points.
    * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
    * \param[in] inlier_indices the points of each plane; a point of several planes moves

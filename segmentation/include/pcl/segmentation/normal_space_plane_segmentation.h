@@ -82,7 +82,11 @@ public:
   /** \brief The label of points that lie on no plane. */
   static constexpr std::uint32_t unlabelled = rgbd_planes::unlabelled;
 
-  /** \brief One normal for each point of the input cloud, in the same order. */
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~NormalSpacePlaneSegmentation() override = default;
+
+  /** \brief One normal for each point of the input cloud, in the same order; of unit length,
+   * to 5 % (others are left out), and of any sign. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)
   {

@@ -35,7 +35,7 @@ struct ScanLimits {
   float angle_min = -1.5707963f; /**< first direction, radians from the x axis */
   float angle_max = 1.5707963f;  /**< last direction, less than a turn further */
   float angle_increment = 0.0087266463f; /**< half a degree */
-  /** Points nearer or farther are left out; metres in the xy plane. */
+  /** Points nearer or farther are left out; metres in the xy plane, 0 or more. */
   float range_min = 0.f;
   float range_max = 10.f;
   /** Points higher above z = 0 are left out: the robot fits under them; metres. */

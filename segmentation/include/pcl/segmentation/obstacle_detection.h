@@ -69,7 +69,11 @@ public:
 
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 
-  /** \brief One normal for each point of the input cloud, in the same order. */
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~ObstacleDetection() override = default;
+
+  /** \brief One normal for each point of the input cloud, in the same order; of unit length,
+   * facing the sensor: points of the floor with another normal are obstacles. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)
   {
@@ -190,8 +194,9 @@ public:
 
   /** \brief The extent of the virtual scan; default 180 degrees ahead in steps of half a
    * degree, up to 10 m, up to 2 m above z = 0 of the base frame. An increment that is not
-   * more than 0, a span that is negative or a turn, 100000 directions or more, or a limit
-   * that is NaN: an error message, and the limits before stay. */
+   * more than 0, a span that is negative or a turn, 100000 directions or more, a range that
+   * is negative or ends before it begins, or a limit that is NaN: an error message, and the
+   * limits before stay. */
   void
   setScanLimits (const ScanLimits& limits);
 

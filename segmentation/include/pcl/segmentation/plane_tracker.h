@@ -42,6 +42,9 @@ namespace pcl {
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneTracker {
 public:
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~PlaneTracker() = default;
+
   /** \brief Takes the next frame.
    * \param[in] model_coefficients a, b, c, d of each plane in the camera frame, metres; of unit
    * length, facing the camera

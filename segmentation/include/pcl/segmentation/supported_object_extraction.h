@@ -91,7 +91,11 @@ public:
   using PointCloudNPtr = typename PointCloudN::Ptr;
   using PointCloudNConstPtr = typename PointCloudN::ConstPtr;
 
-  /** \brief One normal for each point of the input cloud, in the same order. Needed for
+  /** \brief Declared so that moving copies: what was moved from can be used on. */
+  ~SupportedObjectExtraction() override = default;
+
+  /** \brief One normal for each point of the input cloud, in the same order; of unit length,
+   * facing the sensor, for else convex edges look concave. Needed for
    * setSplitAtConcaveEdges() only. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)

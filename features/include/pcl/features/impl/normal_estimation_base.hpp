@@ -67,6 +67,15 @@ template <typename PointInT, typename PointOutT>
 void
 NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output)
 {
+  // Feature::compute has given the output its size already.
+  const void* resized = &output;
+  if (forIndices() && resized == input_.get()) {
+    PCL_ERROR ("[pcl::%s] The output is the input cloud, which has lost points for the "
+               "number of indices: compute into another cloud, or without indices.\n",
+               feature_name_.c_str());
+    output.clear();
+    return;
+  }
   output.sensor_origin_ = input_->sensor_origin_;
   output.sensor_orientation_ = input_->sensor_orientation_;
   if (forIndices()) {

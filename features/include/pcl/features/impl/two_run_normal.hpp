@@ -125,6 +125,14 @@ template <typename PointInT, typename PointOutT>
 std::size_t
 TwoRunNormalEstimation<PointInT, PointOutT>::computeNormals (PointCloudOut& output)
 {
+  const void* resized = &output; // by Feature::compute
+  if (surface_ != input_ && resized == surface_.get()) {
+    PCL_ERROR ("[pcl::%s] The output is the search surface, whose points are lost: "
+               "compute into another cloud.\n",
+               feature_name_.c_str());
+    output.clear();
+    return 0;
+  }
   parameters_.sensor_origin = this->sensorOrigin();
   Eigen::Vector3f::Map (parameters_.viewing_axis.data()) =
       (input_->sensor_orientation_ * Eigen::Vector3f::UnitZ()).normalized();

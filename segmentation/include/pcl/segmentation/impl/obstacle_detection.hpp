@@ -51,18 +51,20 @@ ObstacleDetection<PointT, PointNT, PointLT>::setScanLimits (const ScanLimits& li
   if (!(limits.angle_increment > 0.f && span >= 0.f && span < turn &&
         span / limits.angle_increment < max_directions &&
         std::isfinite (limits.angle_min) && std::isfinite (limits.angle_increment) &&
-        limits.range_min <= limits.range_max && !std::isnan (limits.max_height))) {
-    PCL_ERROR ("[pcl::%s::setScanLimits] From %g to %g in steps of %g radians, at %g "
-               "to %g m, up to %g m high is no scan: give a first angle, a last one "
-               "less than a turn further, a step of more than 0, and ranges and a "
-               "height that are no NaN. Keeping the limits before.\n",
-               getClassName().c_str(),
-               limits.angle_min,
-               limits.angle_max,
-               limits.angle_increment,
-               limits.range_min,
-               limits.range_max,
-               limits.max_height);
+        limits.range_min >= 0.f && limits.range_min <= limits.range_max &&
+        !std::isnan (limits.max_height))) {
+    PCL_ERROR (
+        "[pcl::%s::setScanLimits] From %g to %g in steps of %g radians, at %g "
+        "to %g m, up to %g m high is no scan: give a first angle, a last one "
+        "less than a turn further, a step of more than 0, ranges of 0 or more, the "
+        "nearer first, and a height that is no NaN. Keeping the limits before.\n",
+        getClassName().c_str(),
+        limits.angle_min,
+        limits.angle_max,
+        limits.angle_increment,
+        limits.range_min,
+        limits.range_max,
+        limits.max_height);
     return;
   }
   parameters_.scan = limits;
