@@ -87,6 +87,18 @@ TEST (FrameSource, FilesComeInNaturalOrder)
       (std::vector<std::string>{"1", "2", "007", "10", "a9b9", "a9b10", "a10b2"}));
 }
 
+TEST (FrameSource, GroundTruthIsNoFrame)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"1.pcd", "1_truth.pcd", "my_truth.pcd", "_truth.pcd"})
+    writeFile (folder / name, asciiPcd ("x y z", 2, 2, square));
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder.path()))),
+             (std::vector<std::string>{"1", "_truth", "my_truth"}))
+      << "only beside what it is true of";
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder / "1_truth.pcd"))),
+             std::vector<std::string>{"1_truth"});
+}
+
 TEST (FrameSource, FramesAreLimited)
 {
   const TemporaryFolder folder;

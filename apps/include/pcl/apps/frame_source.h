@@ -70,9 +70,8 @@ public:
     return frames_.size();
   }
 
-  /** \brief Reads frame \a i, 0 <= i < size(). Files of a folder come in the natural
-   * order of their names (2.png before 10.png), those of a TUM RGB-D folder as listed.
-   */
+  /** \brief Reads frame \a i, 0 <= i < size(). Files of a folder come as
+   * listFrames() lists them, those of a TUM RGB-D folder as their list does. */
   Frame
   read (std::size_t i) const;
 
