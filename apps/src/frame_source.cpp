@@ -152,6 +152,7 @@ void
 FrameSource::addLive (const std::string& device)
 {
   refuseDepthOptions (options_, options_.input);
+  files_.emplace_back (device); // it may be a recording
   struct Feed {
     FrameSlot slot;
     std::unique_ptr<pcl::Grabber> grabber;
@@ -225,17 +226,21 @@ FrameSource::addTumFolder (const fs::path& folder)
   const DepthCamera camera{options_.intrinsics.value_or (tum_camera),
                            options_.units_per_metre.value_or (5000.f),
                            !options_.intrinsics};
-  for (const auto& [time, path] : files)
+  files_.push_back (list);
+  for (const auto& [time, path] : files) {
+    files_.push_back (path);
     frames_.push_back ({path.stem(),
                         [path = path, camera] (Frame& frame) {
                           frame.cloud = readDepthImage (path, camera);
                         },
                         time});
+  }
 }
 
 void
 FrameSource::addFile (const fs::path& file)
 {
+  files_.push_back (file);
   const auto extension = file.extension();
   if (extension == ".pcd") {
     refuseDepthOptions (options_, file);

@@ -99,6 +99,18 @@ TEST (FrameSource, GroundTruthIsNoFrame)
              std::vector<std::string>{"1_truth"});
 }
 
+TEST (FrameSource, FilesAreKnown)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"1.pcd", "2.pcd"})
+    writeFile (folder / name, asciiPcd ("x y z", 2, 2, square));
+  InputOptions options = inputOf (folder.path());
+  options.max_frames = 1;
+  EXPECT_EQ (FrameSource (options).files(),
+             (std::vector<std::filesystem::path>{folder / "1.pcd", folder / "2.pcd"}));
+  EXPECT_TRUE (FrameSource (inputOf ("sim:room")).files().empty());
+}
+
 TEST (FrameSource, FramesAreLimited)
 {
   const TemporaryFolder folder;
@@ -241,6 +253,14 @@ TEST_F (TumFolder, FramesComeAsListed)
 {
   EXPECT_EQ (namesOf (FrameSource (inputOf (folder_.path()))),
              (std::vector<std::string>{"10.5", "9.5"}));
+}
+
+TEST_F (TumFolder, FilesAreKnown)
+{
+  EXPECT_EQ (FrameSource (inputOf (folder_.path())).files(),
+             (std::vector<std::filesystem::path>{folder_ / "depth.txt",
+                                                 folder_ / "depth/10.5.png",
+                                                 folder_ / "depth/9.5.png"}));
 }
 
 TEST_F (TumFolder, CameraIsKnown)

@@ -75,6 +75,14 @@ public:
   Frame
   read (std::size_t i) const;
 
+  /** \brief The files that frames are read from, and those that list them, also of frames
+   * beyond InputOptions::max_frames. */
+  const std::vector<std::filesystem::path>&
+  files () const
+  {
+    return files_;
+  }
+
   /** \brief When frame \a i was recorded, seconds; only TUM RGB-D folders know. */
   std::optional<double>
   time (std::size_t i) const
@@ -106,6 +114,7 @@ private:
   addFile (const std::filesystem::path& file);
 
   InputOptions options_;
+  std::vector<std::filesystem::path> files_;
   std::vector<StoredFrame> frames_;
 };
 
