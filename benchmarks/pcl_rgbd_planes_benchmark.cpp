@@ -108,8 +108,11 @@ runBenchmarks (int argc, char** argv)
   const auto inputs = readInputs (argc, argv);
   OutputFiles files;
   // An unwritable place is known before the work is done.
-  if (file)
+  if (file) {
+    for (const auto& input : inputs)
+      files.protect (FrameSource (input).files());
     files.write (*file, "");
+  }
   BaseTransforms camera_to_base;
   const Clouds frames = readClouds (inputs, camera_to_base);
   registerNormalBenchmarks (frames);

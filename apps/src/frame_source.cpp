@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/frame_files.h>
 #include <pcl/apps/frame_slot.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/live_grabber.h>
@@ -31,52 +32,6 @@ bool
 startsWith (const std::string& text, const std::string& start)
 {
   return text.compare (0, start.size(), start) == 0;
-}
-
-bool
-isDigit (char c)
-{
-  return c >= '0' && c <= '9';
-}
-
-/** Compares names with their numbers by value, so that 2.png comes before 10.png. */
-bool
-naturalLess (const fs::path& path_a, const fs::path& path_b)
-{
-  const std::string a = path_a.filename(), b = path_b.filename();
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (!isDigit (a[i]) || !isDigit (b[j])) {
-      if (a[i] != b[j])
-        return a[i] < b[j];
-      ++i, ++j;
-      continue;
-    }
-    const auto number = [] (const std::string& text, std::size_t& at) {
-      const auto begin = std::min (text.find_first_not_of ('0', at), text.size());
-      at = begin;
-      while (at < text.size() && isDigit (text[at]))
-        ++at;
-      return text.substr (begin, at - begin);
-    };
-    const std::string x = number (a, i), y = number (b, j);
-    if (x != y)
-      return x.size() != y.size() ? x.size() < y.size() : x < y;
-  }
-  const std::size_t left_a = a.size() - i, left_b = b.size() - j;
-  return left_a != left_b ? left_a < left_b : a < b;
-}
-
-std::vector<fs::path>
-filesWithExtension (const fs::path& folder, const std::string& extension)
-{
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator (folder))
-    if (entry.path().extension() == extension && !entry.is_directory() &&
-        !startsWith (entry.path().filename(), "."))
-      files.push_back (entry.path());
-  std::sort (files.begin(), files.end(), naturalLess);
-  return files;
 }
 
 struct DepthCamera {
@@ -197,6 +152,7 @@ void
 FrameSource::addLive (const std::string& device)
 {
   refuseDepthOptions (options_, options_.input);
+  files_.emplace_back (device); // it may be a recording
   struct Feed {
     FrameSlot slot;
     std::unique_ptr<pcl::Grabber> grabber;
@@ -224,9 +180,9 @@ FrameSource::addFolder (const fs::path& folder)
 {
   if (fs::exists (folder / "depth.txt"))
     return addTumFolder (folder);
-  auto files = filesWithExtension (folder, ".pcd");
+  auto files = listFrames (folder, ".pcd");
   if (files.empty())
-    files = filesWithExtension (folder, ".png");
+    files = listFrames (folder, ".png");
   if (files.empty())
     throw AppError (folder.string() +
                     ": no .pcd, no .png and no depth.txt in this folder" +
@@ -270,17 +226,21 @@ FrameSource::addTumFolder (const fs::path& folder)
   const DepthCamera camera{options_.intrinsics.value_or (tum_camera),
                            options_.units_per_metre.value_or (5000.f),
                            !options_.intrinsics};
-  for (const auto& [time, path] : files)
+  files_.push_back (list);
+  for (const auto& [time, path] : files) {
+    files_.push_back (path);
     frames_.push_back ({path.stem(),
                         [path = path, camera] (Frame& frame) {
                           frame.cloud = readDepthImage (path, camera);
                         },
                         time});
+  }
 }
 
 void
 FrameSource::addFile (const fs::path& file)
 {
+  files_.push_back (file);
   const auto extension = file.extension();
   if (extension == ".pcd") {
     refuseDepthOptions (options_, file);

@@ -66,7 +66,7 @@ const char input_help[] =
     R"(INPUT is one of
   FILE.pcd          an organized cloud, metres, in the frame of the camera: z forward, y down
   FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale
-  FOLDER            of .pcd files (or else of depth images)
+  FOLDER            of .pcd files, but for NAME_truth.pcd beside NAME.pcd, or else of depth images
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
   sim:SCENE[:SEED[:CAMERA]]
                     a simulated frame of table_single, table_cluttered, room, corridor or

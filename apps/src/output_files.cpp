@@ -27,6 +27,13 @@ OutputFiles::~OutputFiles()
 }
 
 void
+OutputFiles::protect (const std::vector<fs::path>& inputs)
+{
+  for (const auto& input : inputs)
+    protected_.insert (fs::weakly_canonical (input));
+}
+
+void
 OutputFiles::createFolder (const fs::path& folder)
 {
   std::error_code error;
@@ -51,6 +58,9 @@ OutputFiles::find (const fs::path& name)
       });
   if (known != files_.end())
     return *known;
+  if (protected_.count (path))
+    throw AppError (name.string() +
+                    ": is an input, which would be replaced; choose another name");
   if (fs::exists (path) && !fs::is_regular_file (path))
     throw AppError (path.string() +
                     ": is there and no regular file; choose another name");
@@ -94,6 +104,11 @@ refuseInputFolder (const fs::path& input, const fs::path& output)
     throw AppError (output.string() +
                     ": is the INPUT folder, whose next run would take the results for "
                     "frames; choose another folder");
+  if (fs::is_regular_file (input, error) &&
+      fs::equivalent (input.parent_path() / ".", output, error))
+    throw AppError (output.string() +
+                    ": is the folder of INPUT, where the results may replace files of "
+                    "the recording; choose another folder");
 }
 
 } // namespace rgbd_planes

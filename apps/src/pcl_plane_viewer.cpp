@@ -15,11 +15,13 @@
 #include <boost/program_options.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <utility>
 
+namespace fs = std::filesystem;
 namespace po = boost::program_options;
 using namespace pcl::rgbd_planes;
 
@@ -31,7 +33,7 @@ struct Options {
   /** Frames per second. */
   double rate;
   bool loop;
-  std::optional<std::string> screenshot;
+  std::optional<fs::path> screenshot;
 };
 
 const char usage[] =
@@ -61,7 +63,7 @@ describeOptions ()
       text ("LAYERS")->default_value ("planes,contours,objects,scan"),
       "what to show at first: names from the list of keys, between commas, or none") (
       "screenshot",
-      text ("FILE"),
+      text ("FILE.png"),
       "write a picture of the first frame (of the last one of --frames N), 1024 x 768 "
       "pixels, PNG, and exit") (
       "output", text ("DIR")->default_value ("."), "where the key s saves") (
@@ -86,6 +88,15 @@ parseRate (const std::string& text)
   if (!std::isfinite (rate) || rate < 0.01)
     throw AppError ("--rate: '" + text + "' must be 0.01 frames per second or more");
   return rate;
+}
+
+fs::path
+readScreenshot (const fs::path& file)
+{
+  if (file.extension() != ".png")
+    throw AppError ("--screenshot: '" + file.string() +
+                    "' must end in .png, the format that is written");
+  return file;
 }
 
 /** Nothing where only help was asked for, which is printed. */
@@ -125,7 +136,7 @@ readOptions (int argc, char** argv)
         "--corrected camera: the viewer shows frames as they come; give the warp.pcd "
         "that pcl_segment_planes writes with --corrected camera");
   if (values.count ("screenshot"))
-    options.screenshot = value ("screenshot");
+    options.screenshot = readScreenshot (value ("screenshot"));
   return options;
 }
 
@@ -137,8 +148,12 @@ takeScreenshot (const Options& options)
     input.max_frames = 1;
   const FrameSource source (input);
   catchInterruption();
-  // An unwritable place is known before the work is done.
-  OutputFiles().write (*options.screenshot, "");
+  {
+    // An unwritable place is known before the work is done.
+    OutputFiles files;
+    files.protect (source.files());
+    files.write (*options.screenshot, "");
+  }
   provideDisplay();
   PlaneViewer viewer (options.viewer);
   for (std::size_t i = 0; i < source.size(); ++i) {

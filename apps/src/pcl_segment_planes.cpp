@@ -202,6 +202,9 @@ segmentPlanes (int argc, char** argv)
   source.emplace_back (options->input);
   catchInterruption();
   OutputFiles files;
+  files.protect (source.front().files());
+  if (options->corrected)
+    files.protect ({options->corrected->file});
   prepareOutput (*options, files);
 
   const auto summaries = segmentFrames (source, *options, files);

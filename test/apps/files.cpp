@@ -46,6 +46,15 @@ listFolder (const fs::path& folder)
   return names;
 }
 
+std::map<fs::path, std::string>
+readFolder (const fs::path& folder)
+{
+  std::map<fs::path, std::string> contents;
+  for (const auto& entry : fs::recursive_directory_iterator (folder))
+    contents[entry.path()] = entry.is_regular_file() ? readFile (entry.path()) : "";
+  return contents;
+}
+
 void
 writePng (const fs::path& path,
           std::uint32_t width,

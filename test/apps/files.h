@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ readFile (const std::filesystem::path& file);
 /** The names of the files in a folder, hidden ones as well, sorted. */
 std::vector<std::string>
 listFolder (const std::filesystem::path& folder);
+
+/** What the files in a folder and below hold; nothing for folders, pipes and the like. */
+std::map<std::filesystem::path, std::string>
+readFolder (const std::filesystem::path& folder);
 
 struct PngFormat {
   int bits = 16;

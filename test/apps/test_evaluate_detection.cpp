@@ -118,4 +118,7 @@ TEST_F (EvaluateDetection, BadUsage)
   expectRefused ("sim:nowhere", "nowhere");
   expectRefused ("sim:floor_obstacles --corrected floor", "floor");
   expectRefused ("sim:floor_obstacles --json no/where.json", "no");
+  writeFile (folder_ / "warp.pcd", asciiPcd ("intensity", 2, 2, "0\n0\n0\n0\n"));
+  expectRefused ("sim:floor_obstacles --corrected warp.pcd --json warp.pcd",
+                 "is an input");
 }

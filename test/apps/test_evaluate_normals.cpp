@@ -117,4 +117,5 @@ TEST_F (EvaluateNormals, BadUsage)
   expectRefused ("small.pcd --radius 1,0 --far-reference", "--far-reference");
   expectRefused ("small.pcd --wrong", "--help");
   expectRefused ("small.pcd --resolution vga --json no/where.json", "no");
+  expectRefused ("small.pcd --resolution vga --json small.pcd", "is an input");
 }

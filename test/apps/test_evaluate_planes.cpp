@@ -306,4 +306,6 @@ TEST_F (EvaluatePlanes, BadUsage)
   std::filesystem::create_directory (folder_ / "in");
   writeFile (folder_ / "in/frame.pcd", "");
   expectRefused ("in --pictures in", "is the INPUT folder");
+  expectRefused ("in/frame.pcd --pictures in", "is the folder of INPUT");
+  expectRefused ("sim:table_single in --json in/frame.pcd", "is an input");
 }

@@ -87,6 +87,30 @@ TEST (FrameSource, FilesComeInNaturalOrder)
       (std::vector<std::string>{"1", "2", "007", "10", "a9b9", "a9b10", "a10b2"}));
 }
 
+TEST (FrameSource, GroundTruthIsNoFrame)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"1.pcd", "1_truth.pcd", "my_truth.pcd", "_truth.pcd"})
+    writeFile (folder / name, asciiPcd ("x y z", 2, 2, square));
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder.path()))),
+             (std::vector<std::string>{"1", "_truth", "my_truth"}))
+      << "only beside what it is true of";
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder / "1_truth.pcd"))),
+             std::vector<std::string>{"1_truth"});
+}
+
+TEST (FrameSource, FilesAreKnown)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"1.pcd", "2.pcd"})
+    writeFile (folder / name, asciiPcd ("x y z", 2, 2, square));
+  InputOptions options = inputOf (folder.path());
+  options.max_frames = 1;
+  EXPECT_EQ (FrameSource (options).files(),
+             (std::vector<std::filesystem::path>{folder / "1.pcd", folder / "2.pcd"}));
+  EXPECT_TRUE (FrameSource (inputOf ("sim:room")).files().empty());
+}
+
 TEST (FrameSource, FramesAreLimited)
 {
   const TemporaryFolder folder;
@@ -229,6 +253,14 @@ TEST_F (TumFolder, FramesComeAsListed)
 {
   EXPECT_EQ (namesOf (FrameSource (inputOf (folder_.path()))),
              (std::vector<std::string>{"10.5", "9.5"}));
+}
+
+TEST_F (TumFolder, FilesAreKnown)
+{
+  EXPECT_EQ (FrameSource (inputOf (folder_.path())).files(),
+             (std::vector<std::filesystem::path>{folder_ / "depth.txt",
+                                                 folder_ / "depth/10.5.png",
+                                                 folder_ / "depth/9.5.png"}));
 }
 
 TEST_F (TumFolder, CameraIsKnown)

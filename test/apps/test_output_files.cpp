@@ -44,6 +44,36 @@ TEST (OutputFiles, LeaveNothingWithoutCommit)
   EXPECT_EQ (listFolder (folder / "a"), Names{});
 }
 
+TEST (OutputFiles, InputsAreNotReplaced)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "in.pcd", "recording");
+  std::filesystem::create_symlink ("in.pcd", folder / "link.pcd");
+  for (const std::string input : {"in.pcd", "link.pcd"}) {
+    OutputFiles files;
+    files.protect ({folder / input, "", folder / "missing.pcd"});
+    EXPECT_THROW (files.write (folder / "in.pcd", ""), AppError);
+    EXPECT_THROW (files.write (folder / "link.pcd", ""), AppError);
+    EXPECT_NO_THROW (files.write (folder / "out.pcd", ""));
+  }
+}
+
+TEST (OutputFiles, FoldersOfInputsAreRefused)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories (folder / "in/deeper");
+  writeFile (folder / "in/1.pcd", "");
+  for (const std::string input : {"in", "in/1.pcd"}) {
+    EXPECT_THROW (refuseInputFolder (folder / input, folder / "in"), AppError);
+    EXPECT_THROW (refuseInputFolder (folder / input, folder / "in/deeper/.."),
+                  AppError);
+    for (const std::string output : {"", "in/deeper", "missing"})
+      EXPECT_NO_THROW (refuseInputFolder (folder / input, folder / output)) << output;
+  }
+  for (const std::string input : {"sim:room", "live:", ""})
+    EXPECT_NO_THROW (refuseInputFolder (input, "."));
+}
+
 TEST (OutputFiles, ImpossiblePlacesAreRefused)
 {
   const TemporaryFolder folder;

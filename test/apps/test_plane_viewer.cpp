@@ -168,6 +168,9 @@ TEST_F (PlaneViewerApp, BadUsageIsRefused)
   writeFile (folder_ / "damaged.pcd", "no cloud");
   expectRefused ("damaged.pcd", "damaged.pcd");
   expectRefused ("damaged.pcd --screenshot seen.png", "damaged.pcd");
+  expectRefused ("1.png --screenshot 1.png" + camera_, "1.png: is an input");
+  for (const std::string name : {"seen.jpg", "seen", "damaged.pcd"})
+    expectRefused ("sim:room --screenshot " + name, "must end in .png");
 }
 
 /** Ctrl-C goes to all processes that a terminal started. */

@@ -340,6 +340,21 @@ TEST_F (SegmentPlanes, UnwritablePlacesAreRefused)
   expectRefused ("in --output in/../in" + camera_, "is the INPUT folder");
 }
 
+TEST_F (SegmentPlanes, InputsAreNotReplaced)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  for (const std::string name : {"walls.png", "in/1.png", "in/2.png"})
+    writeTwoWalls (name);
+  expectRefused ("walls.png --json walls.png" + camera_, "walls.png: is an input");
+  expectRefused ("in --frames 1 --json in/2.png" + camera_, "in/2.png: is an input");
+  expectRefused ("walls.png --output ." + camera_, "is the folder of INPUT");
+  expectRefused ("in/1.png --output in" + camera_, "is the folder of INPUT");
+  EXPECT_EQ (run ("in/1.png --output ." + camera_).code, 0);
+  writeFile (folder_ / "warp.pcd", asciiPcd ("intensity", 2, 2, "0\n0\n0\n0\n"));
+  expectRefused ("sim:room --corrected warp.pcd --json warp.pcd",
+                 "warp.pcd: is an input");
+}
+
 TEST_F (SegmentPlanes, HelpIsNoError)
 {
   const Outcome result = run ("--help");

@@ -109,6 +109,17 @@ TEST_F (ViewerControlsTest, NothingIsSavedAmongTheInputs)
   EXPECT_TRUE (listFolder (folder_.path()).empty());
 }
 
+TEST_F (ViewerControlsTest, TheViewIsSavedBesideAFile)
+{
+  options_.input = options_.output / "frame.pcd";
+  writeFile (options_.input, "");
+  viewer_.reset();
+  viewer_ = std::make_unique<PlaneViewer> (options_);
+  viewer_->show (viewer_scene::makeFrame());
+  press ('s');
+  EXPECT_TRUE (says ("\nsaved "));
+}
+
 TEST_F (ViewerControlsTest, FoldersThatCannotBeThereAreTold)
 {
   writeFile (folder_ / "file", "");

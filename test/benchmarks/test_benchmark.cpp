@@ -105,4 +105,5 @@ TEST_F (Benchmark, BadUsage)
   expectRefused ("wall.pcd large.pcd", "large.pcd");
   expectRefused ("--no-such-option", "no-such-option");
   expectRefused ("wall.pcd --resolution qvga", "--benchmark_filter");
+  expectRefused ("wall.pcd --benchmark_out=wall.pcd", "wall.pcd: is an input");
 }

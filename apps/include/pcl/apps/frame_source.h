@@ -70,11 +70,18 @@ public:
     return frames_.size();
   }
 
-  /** \brief Reads frame \a i, 0 <= i < size(). Files of a folder come in the natural
-   * order of their names (2.png before 10.png), those of a TUM RGB-D folder as listed.
-   */
+  /** \brief Reads frame \a i, 0 <= i < size(). Files of a folder come as
+   * listFrames() lists them, those of a TUM RGB-D folder as their list does. */
   Frame
   read (std::size_t i) const;
+
+  /** \brief The files that frames are read from, and those that list them, also of frames
+   * beyond InputOptions::max_frames. */
+  const std::vector<std::filesystem::path>&
+  files () const
+  {
+    return files_;
+  }
 
   /** \brief When frame \a i was recorded, seconds; only TUM RGB-D folders know. */
   std::optional<double>
@@ -107,6 +114,7 @@ private:
   addFile (const std::filesystem::path& file);
 
   InputOptions options_;
+  std::vector<std::filesystem::path> files_;
   std::vector<StoredFrame> frames_;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ public:
   OutputFiles&
   operator= (const OutputFiles&) = delete;
   ~OutputFiles();
+
+  /** \brief From now on write() refuses to replace these files. */
+  void
+  protect (const std::vector<std::filesystem::path>& inputs);
 
   /** \brief Creates \a folder, and those above it, where missing. */
   void
@@ -46,12 +51,14 @@ private:
   const File&
   find (const std::filesystem::path& name);
 
+  std::set<std::filesystem::path> protected_;
   std::vector<File> files_;
   std::vector<std::filesystem::path> created_folders_;
 };
 
 /** \brief AppError where \a output is the folder that frames are read from: the next run would
- * take what is written there for frames. */
+ * take what is written there for frames. Likewise where it is the folder of the file \a input:
+ * what is there may belong to the recording. */
 void
 refuseInputFolder (const std::filesystem::path& input,
                    const std::filesystem::path& output);

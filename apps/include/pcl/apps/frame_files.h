@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The files of a folder that end in \a extension, in the natural order of their names
+ * (2.png before 10.png), without hidden ones and without NAME_truth.pcd, the ground truth
+ * that pcl_simulate_rgbd writes beside NAME.pcd. */
+std::vector<std::filesystem::path>
+listFrames (const std::filesystem::path& folder, const std::string& extension);
+
+} // namespace rgbd_planes
+} // namespace pcl
