@@ -6,8 +6,8 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/sensor_points.h>
 #include <pcl/features/set_parameter.h>
-#include <pcl/memory.h>
 #include <pcl/filters/plane_points.h>
+#include <pcl/memory.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>

@@ -102,13 +102,8 @@ NormalEstimationBase<PointInT, PointOutT>::faceViewpoint (PointCloudOut& output)
   const auto [x, y, z] = viewpoint_;
   for (std::size_t i = 0; i < output.size(); ++i) {
     auto& n = output[i];
-    flipNormalTowardsViewpoint ((*input_)[(*indices_)[i]],
-                                x,
-                                y,
-                                z,
-                                n.normal_x,
-                                n.normal_y,
-                                n.normal_z);
+    flipNormalTowardsViewpoint (
+        (*input_)[(*indices_)[i]], x, y, z, n.normal_x, n.normal_y, n.normal_z);
   }
 }
 
