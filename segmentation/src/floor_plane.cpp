@@ -40,21 +40,29 @@ FloorPlane::find (const OrganizedPoints& points,
     ++samples_[plane].points;
   }
 
-  const float min_cos = std::cos (max_angle);
-  std::size_t most = 0, floor = 0;
+  const Eigen::Vector3f base = camera_to_base.inverse().translation();
+  const float min_cosine = std::cos (max_angle);
+  float largest_weight = 0.f;
+  std::size_t floor = 0;
   found_ = false;
   coefficients_.setZero();
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     const Eigen::Vector4f& plane = planes.coefficients[k];
     const auto count = static_cast<float> (samples_[k].points);
-    if (samples_[k].points <= most || plane[3] < min_camera_height ||
-        plane.head<3>().dot (height.head<3>()) < min_cos ||
-        std::abs (samples_[k].height) > max_height * count)
+    const float cosine = plane.head<3>().dot (height.head<3>());
+    if (count == 0.f || plane[3] < min_camera_height || cosine < min_cosine)
+      continue;
+    // An error of the pose turns far points away from z = 0, one of the plane what is below
+    // the robot.
+    const float off = std::min (std::abs (samples_[k].height) / count,
+                                std::abs (heightAbove (plane, base.data())) / cosine);
+    const float weight = count * (max_height - off);
+    if (weight <= largest_weight)
       continue;
     found_ = true;
     coefficients_ = plane;
     floor = k;
-    most = samples_[k].points;
+    largest_weight = weight;
   }
   if (found_)
     compare (planes, noise, floor);

@@ -284,7 +284,8 @@ private:
       expectIndices (inliers_[k].indices, labels_->size());
       for (const auto i : inliers_[k].indices)
         plane_of[static_cast<std::size_t> (i)] = static_cast<std::uint32_t> (k);
-      expect (values.size() == 4 && values[3] >= 0.f);
+      expect (values.size() == 4 && std::isfinite (values[3]));
+      expect (values[3] >= 0.f || cloud_->sensor_origin_[0] != 0.f);
       expect (std::fabs (std::hypot (values[0], values[1], values[2]) - 1.f) < 1e-3f);
     }
     for (std::size_t i = 0; i < plane_of.size(); ++i)

@@ -443,6 +443,37 @@ TEST (ObstacleDetection, TheCameraMayBeTiltedAndItsPoseSlightlyOff)
     }
 }
 
+TEST (ObstacleDetection, AFloorIsFoundWithAnyTiltThatIsTolerated)
+{
+  const FloorScene scene (only_floor, pose, 320);
+  for (const float off : {-0.15f, -0.05f, 0.05f, 0.15f}) {
+    Detection detection;
+    setInput (detection, scene);
+    detection.setCameraToBase (cameraPose (0.8f, 0.45f + off));
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << off;
+  }
+}
+
+TEST (ObstacleDetection, TheFloorIsNearZeroAlsoWhereMoreIsALittleHigherOrLower)
+{
+  constexpr float edge = 1.2f;
+  for (const float step : {-0.045f, -0.03f, 0.03f, 0.045f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const FloorScene scene ({near, far}, pose, 320);
+    const auto of_far = static_cast<std::size_t> (
+        std::count_if (scene.labels->begin(), scene.labels->end(), [] (const auto& l) {
+          return l.label == 1;
+        }));
+    ASSERT_GT (of_far, scene.labels->size() / 2);
+    const Result result = detect (scene);
+    EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << step;
+  }
+}
+
 TEST (ObstacleDetection, ObstaclesAreSeparateWhereDepthJumpsAndComeByDistance)
 {
   const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});

@@ -62,8 +62,9 @@ heightAbove (const Eigen::Vector4f& floor, const float* point)
 class PCL_RGBD_PLANES_EXPORTS FloorPlane {
 public:
   /** \brief Finds the floor: of the planes whose normal is the z axis of the base frame
-   * within \a max_angle (radians) and whose points lie at z = 0 within \a max_height
-   * (metres) in the mean, the one with the most points.
+   * within \a max_angle (radians) and that is at z = 0 within \a max_height (metres), in
+   * the mean of its points or below the base, the one with the most points; these count
+   * the less, the farther off it is.
    *
    * About every 64th point is looked at, and every one of small images.
    */
