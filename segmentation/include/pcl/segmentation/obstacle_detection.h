@@ -35,15 +35,14 @@ namespace pcl {
  * Input: an organized cloud in metres, in the camera frame or any other in which its \c
  * sensor_origin_ is the place of the sensor, as CameraToBase sets it; a normal for each point,
  * the planes of the cloud, and the pose of its frame in the base frame (x forward, y left, z
- * up, the floor at z = 0), the identity for clouds of CameraToBase. NaN, Inf and (0, 0, 0) are missing points. With indices, only
- * these points are looked at.
+ * up, the floor at z = 0), the identity for clouds of CameraToBase. NaN, Inf and (0, 0, 0) are
+ * missing points. With indices, only these points are looked at.
  *
  * The floor is the plane that is horizontal and at z = 0 within tolerances, large, and near
- * to z = 0; heights
- * are measured from it, as the pose may be slightly off. Obstacles at least as high as the
- * larger of 1 cm and three standard deviations of depth are found. Points clearly below the
- * floor are drop-offs. Clusters of a few points are specks, errors of the sensor. Where no
- * floor is found, nothing is safe: all measured points are obstacles.
+ * to z = 0; heights are measured from it, as the pose may be slightly off. Obstacles at least
+ * as high as the larger of 1 cm and three standard deviations of depth are found. Points
+ * clearly below the floor are drop-offs. Clusters of a few points are specks, errors of the
+ * sensor. Where no floor is found, nothing is safe: all measured points are obstacles.
  *
  * A null or unorganized cloud, normals or labels that are missing or of another size, or
  * an index outside of the cloud: an error message and empty outputs.
@@ -111,7 +110,8 @@ public:
 
   /** \brief How far the normal of the floor may be from z of the base frame, radians from
    * 0 to pi, default 0.17, and it from z = 0, in the mean of its points or below the origin of
-   * the base frame, metres, 0 or more, default 0.05; what is nearer to z = 0 is preferred. Others are refused with an error message. */
+   * the base frame, metres, 0 or more, default 0.05; what is nearer to z = 0 is preferred.
+   * Others are refused with an error message. */
   void
   setFloorTolerances (float angle, float height)
   {

@@ -67,9 +67,9 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  * deviations of depth; beyond \a max_sigmas it is too far. A plane is present in a tile
  * of samples and in the eight around it when it owns at least four samples of the tile;
  * it is out of the question for the pixels of a sample with a trusted normal that
- * disagrees, unless one beside it agrees and it is on another plane or disagrees by less than
- * 60 degrees; and for those of one on a curved surface. Where planes meet (PlaneIntersections), points
- * on both go to the one on their side.
+ * disagrees, unless one beside it agrees and it is on another plane or disagrees by less
+ * than 60 degrees; and for those of one on a curved surface. Where planes meet
+ * (PlaneIntersections), points on both go to the one on their side.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
