@@ -11,6 +11,7 @@
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
@@ -27,12 +28,6 @@ namespace rgbd_planes {
 namespace {
 
 constexpr char simulated[] = "sim:";
-
-bool
-startsWith (const std::string& text, const std::string& start)
-{
-  return text.compare (0, start.size(), start) == 0;
-}
 
 struct DepthCamera {
   Intrinsics intrinsics;
@@ -69,7 +64,7 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   const std::string& input = options_.input;
   std::error_code error; // of names that are too long, for instance
   const fs::file_status status = fs::status (input, error);
-  if (startsWith (input, simulated))
+  if (boost::starts_with (input, simulated))
     addSimulated (input.substr (sizeof (simulated) - 1));
   else if (const auto device = liveDevice (input))
     addLive (*device);
