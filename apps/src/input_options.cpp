@@ -69,9 +69,9 @@ const char input_help[] =
   FOLDER            of .pcd files, but for NAME_truth.pcd beside NAME.pcd, or else of depth images
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
   sim:SCENE[:SEED[:CAMERA]]
-                    a simulated frame of table_single, table_cluttered, room, corridor or
-                    floor_obstacles; SEED is 1 or what you say; frames with the same number
-                    CAMERA share the smooth error of depth that a camera has
+                    a simulated frame of table_single, table_cluttered, room, corridor,
+                    floor_obstacles or worktop; SEED is 1 or what you say; frames with the
+                    same number CAMERA share the smooth error of depth that a camera has
   live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
                     recording FILE.oni
 )";

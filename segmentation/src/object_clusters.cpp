@@ -25,7 +25,7 @@ constexpr float level_stretch = 1.5f;
 void
 ObjectClusters::compute (const OrganizedPoints& points,
                          const std::vector<std::uint8_t>& selected,
-                         const std::vector<SupportPlane>& supports,
+                         const SupportPlanes& supports,
                          const ObjectParameters& parameters)
 {
   points_ = points;
@@ -34,12 +34,24 @@ ObjectClusters::compute (const OrganizedPoints& points,
   runs_.start (static_cast<std::size_t> (points.width));
   set_of_run_.clear();
   sums_.clear();
-  if (!supports.empty()) {
+  if (!supports.planes().empty()) {
+    markBackground (selected);
     measurePixelAngle();
     findRuns (selected);
     sumUp();
   }
   collect();
+}
+
+void
+ObjectClusters::markBackground (const std::vector<std::uint8_t>& selected)
+{
+  is_background_.assign (points_.size(), 0);
+  for (const auto& plane : supports_->background())
+    for (const auto index : *plane.inliers) {
+      const auto i = static_cast<std::size_t> (index);
+      is_background_[i] = selected.empty() || selected[i];
+    }
 }
 
 void
@@ -84,7 +96,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
 {
   constexpr std::size_t max_bases = maybe_above - above;
   bases_.clear();
-  for (const SupportPlane& support : *supports_)
+  for (const SupportPlane& support : supports_->planes())
     if (!support.is_on_object && bases_.size() < max_bases)
       bases_.push_back (&support);
   // What fills up the last block of a row is in the next one, which is placed later.
@@ -119,10 +131,12 @@ ObjectClusters::settleRow (std::uint32_t first,
                            const std::vector<std::uint8_t>& selected)
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
-  if (!selected.empty())
-    for (std::uint32_t i = first; i < first + width; ++i)
-      if (!selected[i])
-        place_[i] = nowhere;
+  const std::uint8_t* is_background = &is_background_[first];
+  std::uint8_t* place = &place_[first];
+  for (std::uint32_t u = 0; u < width; ++u)
+    place[u] = is_background[u] ? std::uint8_t{nowhere} : place[u];
+  for (std::uint32_t u = 0; u < width && !selected.empty(); ++u)
+    place[u] = selected[first + u] ? place[u] : std::uint8_t{nowhere};
   for (const std::uint8_t kind : has_above_) {
     for (std::uint32_t i = first; kind > 1 && i < first + PointRow::block_size; ++i)
       if (place_[i] >= maybe_above)

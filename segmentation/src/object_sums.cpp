@@ -25,6 +25,9 @@ constexpr double clear_of_points = 0.25;
 constexpr double few_leaks = 2.;
 constexpr double leaks_of_min_points = 0.1;
 constexpr double leaks_of_width = 0.1;
+/** What hangs together with a plane behind it stands out from that and from its support by
+ * more than what the warp of a camera makes of planes, in standard deviations of depth. */
+constexpr float off_background_sigmas = 5.f;
 /** What ends, along a larger part of its tops, at something nearer may go on behind it: a leg
  * of a table, below the edge of its top. */
 constexpr double may_be_hidden = 0.5;
@@ -41,12 +44,17 @@ ObjectClusters::sumUp()
   };
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (isLarge (sums) && !isClear (sums))
-      sums.clear += clearPoints (run, (*supports_)[sums.support]);
+      sums.clear += clearPoints (run, supports_->planes()[sums.support]);
   });
   const LinkLimit limit = linkLimit();
   forEachRun ([&] (const PointRun& run, Sums& sums) {
     if (isLarge (sums) && isClear (sums))
       countLeaksAndTops (run, limit, sums);
+  });
+  forEachRun ([this] (const PointRun& run, Sums& sums) {
+    if (sums.at_background > 0)
+      sums.off_background +=
+          pointsOffBackground (run, supports_->planes()[sums.support]);
   });
 }
 
@@ -61,7 +69,7 @@ ObjectClusters::findSets()
       set_of_run_.push_back (static_cast<std::uint32_t> (sums_.size()));
       sums_.emplace_back();
       sums_.back().support = static_cast<std::size_t> (
-          bases_[place_[run.first] - std::size_t{above}] - supports_->data());
+          bases_[place_[run.first] - std::size_t{above}] - supports_->planes().data());
     }
     else
       set_of_run_.push_back (set_of_run_[root]);
@@ -80,6 +88,28 @@ ObjectClusters::clearPoints (const PointRun& run, const SupportPlane& support) c
     const float height = heightAbove (support, v, u + k);
     count += height >= parameters_.min_object_height &&
              !isWithinNoise (p, support.plane, height, clear_sigmas, parameters_.noise);
+  }
+  return count;
+}
+
+std::size_t
+ObjectClusters::pointsOffBackground (const PointRun& run,
+                                     const SupportPlane& support) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const std::uint32_t v = run.first / width, u = run.first % width;
+  std::size_t count = 0;
+  for (std::uint32_t k = 0; k < run.length; ++k) {
+    const float* p = points_[run.first + k];
+    const auto isNear = [&] (const Plane& plane, float height) {
+      return isWithinNoise (p, plane, height, off_background_sigmas, parameters_.noise);
+    };
+    count += !isNear (support.plane, heightAbove (support, v, u + k)) &&
+             std::none_of (supports_->background().begin(),
+                           supports_->background().end(),
+                           [&] (const SegmentedPlane& wall) {
+                             return isNear (wall.plane, wall.plane.distance (p));
+                           });
   }
   return count;
 }
@@ -109,13 +139,21 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
 {
   const std::ptrdiff_t step = stepUpwards (run.first);
   visitMargin (run, [&] (std::uint32_t i) {
-    const auto leaksTo = [&] (std::ptrdiff_t step_to) {
+    bool leaks = false, is_at_background = false;
+    const auto lookAt = [&] (std::ptrdiff_t step_to) {
       const std::uint32_t j = next (i, step_to);
-      return place_[j] == outside && limit.allows (points_[i], points_[j]);
+      if ((place_[j] == outside || is_background_[j]) &&
+          limit.allows (points_[i], points_[j]))
+        (is_background_[j] ? is_at_background : leaks) = true;
     };
-    sums.leaks += leaksTo (-points_.width) || leaksTo (points_.width) ||
-                  (i == run.first && leaksTo (-1)) ||
-                  (i == run.first + run.length - 1 && leaksTo (1));
+    lookAt (-points_.width);
+    lookAt (points_.width);
+    if (i == run.first)
+      lookAt (-1);
+    if (i == run.first + run.length - 1)
+      lookAt (1);
+    sums.leaks += leaks;
+    sums.at_background += is_at_background;
     std::uint32_t last = i, k = next (i, step);
     for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
          k = next (k, step))
@@ -184,12 +222,16 @@ ObjectClusters::isClear (const Sums& sums) const
 bool
 ObjectClusters::isObject (const Sums& sums) const
 {
+  const auto points = static_cast<double> (sums.points);
+  const double max_leaks =
+      std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
+      leaks_of_width * std::sqrt (points);
   return isLarge (sums) && isClear (sums) &&
          static_cast<double> (sums.hidden_tops) <=
              may_be_hidden * static_cast<double> (sums.tops) &&
-         static_cast<double> (sums.leaks) <=
-             std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
-                 leaks_of_width * std::sqrt (static_cast<double> (sums.points));
+         static_cast<double> (sums.leaks) <= max_leaks &&
+         (static_cast<double> (sums.at_background) <= max_leaks ||
+          static_cast<double> (sums.off_background) >= clear_of_points * points);
 }
 
 } // namespace rgbd_planes

@@ -25,6 +25,8 @@ constexpr float height_sigmas = 3.f;
 /** So many points of a thing tell where most of it is. */
 constexpr std::size_t decisive_sample = 100;
 constexpr double nearly_all = 0.9;
+/** A plane is of the background if so much of it is on no supporting one, nor above. */
+constexpr double background_share = 0.2;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
 float
@@ -82,9 +84,9 @@ struct Share {
   }
 
   bool
-  isNearlyAll () const
+  isAtLeast (double share) const
   {
-    return static_cast<double> (part) >= nearly_all * static_cast<double> (all);
+    return static_cast<double> (part) >= share * static_cast<double> (all);
   }
 };
 
@@ -155,8 +157,8 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
             return levelOf (p, support, parameters) == Level::elsewhere;
           });
     };
-    if (shareOf (points, *plane.inliers, isElsewhere).isMost())
-      background_.push_back (plane.plane);
+    if (shareOf (points, *plane.inliers, isElsewhere).isAtLeast (background_share))
+      background_.push_back (plane);
   }
 }
 
@@ -248,11 +250,11 @@ liesAbove (const OrganizedPoints& points,
   const auto isAbove = [&] (const float* p) {
     return levelOf (p, support, parameters) == Level::above;
   };
-  return shareOf (points, thing, isAbove).isNearlyAll();
+  return shareOf (points, thing, isAbove).isAtLeast (nearly_all);
 }
 
 bool
-liesOnOneOf (const std::vector<Plane>& planes,
+liesOnOneOf (const std::vector<SegmentedPlane>& planes,
              const OrganizedPoints& points,
              const std::vector<PointRun>& thing,
              const DepthNoise& noise)
@@ -264,14 +266,16 @@ liesOnOneOf (const std::vector<Plane>& planes,
       points, thing, decisive_sample, [&] (const auto& p) { sample[size++] = p; });
   const auto may_be_off =
       static_cast<std::size_t> ((1. - nearly_all) * static_cast<double> (size));
-  return std::any_of (planes.begin(), planes.end(), [&] (const Plane& plane) {
-    std::size_t off = 0;
-    for (std::size_t i = 0; i < size && off <= may_be_off; ++i) {
-      const float* p = sample[i].data();
-      off += !isWithinNoise (p, plane, plane.distance (p), sigmas, noise);
-    }
-    return off <= may_be_off;
-  });
+  return std::any_of (
+      planes.begin(), planes.end(), [&] (const SegmentedPlane& segmented) {
+        const Plane& plane = segmented.plane;
+        std::size_t off = 0;
+        for (std::size_t i = 0; i < size && off <= may_be_off; ++i) {
+          const float* p = sample[i].data();
+          off += !isWithinNoise (p, plane, plane.distance (p), sigmas, noise);
+        }
+        return off <= may_be_off;
+      });
 }
 
 } // namespace rgbd_planes

@@ -218,6 +218,45 @@ floorObstacles (Random& random)
   return scene;
 }
 
+/** A worktop in the corner of a room. Five things stand in a row at the wall, from against it to
+ * 2 cm off, the first one in the corner; four stand before them. */
+Scene
+worktop (Random& random)
+{
+  Scene scene;
+  const Vector3f corner{random.uniform (1.3f, 1.7f), random.uniform (0.6f, 0.9f), 2.6f};
+  addRoom (scene, {{-1.5f, -2.5f, 0.f}, corner});
+  const Vector3f size{0.6f, 2.4f, random.uniform (0.8f, 0.95f)};
+  scene.addBox (
+      poseAt ({corner.x() - 0.5f * size.x(), corner.y() - 0.5f * size.y(), 0.f, 0.f}),
+      size,
+      {steel});
+  std::uint32_t object = 0;
+  float y = corner.y();
+  for (const float gap : {0.f, 0.f, 0.005f, 0.01f, 0.02f}) {
+    const Vector3f thing{random.uniform (0.06f, 0.16f),
+                         random.uniform (0.06f, 0.2f),
+                         random.uniform (0.05f, 0.28f)};
+    const float x = corner.x() - gap - 0.5f * thing.x();
+    scene.addBox (poseAt ({x, y - 0.5f * thing.y(), size.z(), 0.f}),
+                  thing,
+                  {strongColor (random), ++object});
+    y -= thing.y() + random.uniform (0.05f, 0.1f);
+  }
+  for (const float side : {0.25f, 0.5f, 0.75f, 1.f})
+    scene.addCylinder (poseAt ({corner.x() - random.uniform (0.35f, 0.5f),
+                                corner.y() - side,
+                                size.z(),
+                                0.f}),
+                       random.uniform (0.03f, 0.05f),
+                       random.uniform (0.06f, 0.15f),
+                       {strongColor (random), ++object});
+  scene.setCamera ({{0.f, random.uniform (-0.2f, 0.2f), random.uniform (1.4f, 1.6f)},
+                    {corner.x() - 0.2f, corner.y() - 0.7f, size.z()},
+                    random.uniform (-0.05f, 0.05f)});
+  return scene;
+}
+
 struct NamedScene {
   const char* name;
   Scene (*make) (Random&);
@@ -227,7 +266,8 @@ constexpr NamedScene scenes[] = {{"table_single", tableSingle},
                                  {"table_cluttered", tableCluttered},
                                  {"room", room},
                                  {"corridor", corridor},
-                                 {"floor_obstacles", floorObstacles}};
+                                 {"floor_obstacles", floorObstacles},
+                                 {"worktop", worktop}};
 
 } // namespace
 

@@ -495,6 +495,40 @@ TEST (SupportedObjectExtraction, WallsAndThingsUnderTheTableAreNoObjects)
   EXPECT_GT (iou (objects.front(), view, 5), 0.85);
 }
 
+TEST (SupportedObjectExtraction, ThingsAtAWallAreObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Vector3f size (0.1f, 0.1f, 0.15f);
+  for (const float noise : {0.f, 0.5f, 1.f}) {
+    const View view = look ({floor_slab,
+                             table,
+                             wall,
+                             onTable (1.55f, 0.3f, size),
+                             onTable (1.545f, 0.f, size),
+                             onTable (1.53f, -0.3f, size)},
+                            {},
+                            noise);
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 3u) << noise;
+    for (const int box : {3, 4, 5})
+      EXPECT_GT (bestIou (objects, view, box), 0.8) << noise << " " << box;
+  }
+}
+
+TEST (SupportedObjectExtraction, WhatHardlyStandsOutFromAWallIsNoObject)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const auto atWall = [&] (float thickness) {
+    const Box panel{{1.6f - 0.5f * thickness, 0.f, table_height + 0.02f},
+                    {thickness, 0.3f, 0.15f}};
+    const View view = look ({floor_slab, table, wall, panel});
+    EXPECT_GT (view.pixelsOf (3).size(), 1000u);
+    return extract (view).size();
+  };
+  EXPECT_EQ (atWall (0.01f), 0u);
+  EXPECT_EQ (atWall (0.08f), 1u);
+}
+
 TEST (SupportedObjectExtraction, WhatGoesOnBehindSomethingNearerIsNoObject)
 {
   const Box post{{2.f, 0.f, 0.f}, {0.08f, 0.08f, 1.f}};

@@ -26,18 +26,19 @@ struct ObjectCluster {
  * linear in their number (Holz et al. 2011, section 5.1).
  *
  * Planes on objects support nothing here. Things that hang together with what lies outside
- * of the hull or too high, such as walls, are no objects, nor is what lies under a higher
- * supporting plane, such as the legs of a table, or has its top hidden behind something nearer.
+ * of the hull or too high are no objects, nor is what lies under a higher supporting plane, such
+ * as the legs of a table, or has its top hidden behind something nearer. Things may touch a
+ * plane of the background, such as a wall, if they stand out from it.
  */
 class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
 public:
   /** \param[in] selected not 0 for the points to look at; empty for all of them
-   * \param[in] supports from the highest to the lowest
+   * \param[in] supports of the same points
    */
   void
   compute (const OrganizedPoints& points,
            const std::vector<std::uint8_t>& selected,
-           const std::vector<SupportPlane>& supports,
+           const SupportPlanes& supports,
            const ObjectParameters& parameters);
 
   /** \brief In the order of their first points. */
@@ -58,18 +59,27 @@ private:
   /** \brief Where a point is: from \ref above on, above that one of the bases. */
   enum Place : std::uint8_t { nowhere, outside, above };
 
-  /** \brief What decides whether a cluster is an object. */
+  /** \brief What decides whether a cluster is an object, in points. */
   struct Sums {
     std::size_t points = 0;
-    std::size_t clear =
-        0; /**< points that are higher than noise, until they are enough */
-    std::size_t leaks = 0; /**< points that hang together with one outside */
-    std::size_t tops = 0; /**< points with nothing above them in the image that is above
-                            * the same plane */
-    std::size_t hidden_tops = 0; /**< those that end at something nearer */
+    /** Those that are higher than noise, until they are enough. */
+    std::size_t clear = 0;
+    /** Those that hang together with one outside. */
+    std::size_t leaks = 0;
+    /** Those that hang together with one of a plane behind; where there are any, */
+    std::size_t at_background = 0;
+    /** those that are on no such plane for certain, nor on the supporting one. */
+    std::size_t off_background = 0;
+    /** Those with nothing above them in the image that is above the same plane. */
+    std::size_t tops = 0;
+    /** Of these, those that end at something nearer. */
+    std::size_t hidden_tops = 0;
     std::size_t support = 0;
     std::size_t cluster = 0;
   };
+
+  void
+  markBackground (const std::vector<std::uint8_t>& selected);
 
   void
   measurePixelAngle ();
@@ -100,6 +110,9 @@ private:
 
   std::size_t
   clearPoints (const PointRun& run, const SupportPlane& support) const;
+
+  std::size_t
+  pointsOffBackground (const PointRun& run, const SupportPlane& support) const;
 
   /** \brief Calls visit (i) for the points of a run at its ends, and those in another place
    * than the point above or below in the image. */
@@ -132,10 +145,11 @@ private:
   collect ();
 
   OrganizedPoints points_;
-  const std::vector<SupportPlane>* supports_ = nullptr;
+  const SupportPlanes* supports_ = nullptr;
   ObjectParameters parameters_;
   float pixel_angle_ = 0.f;
   std::vector<const SupportPlane*> bases_; // those that are not on an object
+  std::vector<std::uint8_t> is_background_;
   PointRow rows_[2];
   std::vector<std::uint8_t> has_above_; // of the blocks of a row
   std::vector<std::uint8_t> to_left_,

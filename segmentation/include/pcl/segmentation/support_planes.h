@@ -111,7 +111,7 @@ liesAbove (const OrganizedPoints& points,
 
 /** \brief Whether nearly all points of a thing lie on one of \a planes. */
 PCL_RGBD_PLANES_EXPORTS bool
-liesOnOneOf (const std::vector<Plane>& planes,
+liesOnOneOf (const std::vector<SegmentedPlane>& planes,
              const OrganizedPoints& points,
              const std::vector<PointRun>& thing,
              const DepthNoise& noise);
@@ -134,9 +134,9 @@ public:
     return supports_;
   }
 
-  /** \brief The planes most of whose points are neither on nor above a supporting one, such as
+  /** \brief The planes many of whose points are neither on nor above a supporting one, such as
    * walls. */
-  const std::vector<Plane>&
+  const std::vector<SegmentedPlane>&
   background () const
   {
     return background_;
@@ -167,7 +167,7 @@ private:
                   const ObjectParameters& parameters);
 
   std::vector<SupportPlane> supports_;
-  std::vector<Plane> background_;
+  std::vector<SegmentedPlane> background_;
   RansacSample sample_;
   std::vector<Eigen::Vector2f> border_;
 };

@@ -58,11 +58,12 @@ struct SupportedObject {
  * to their largest height. The points above, of other planes or none, are clustered along the
  * image. Heights are those above the points of the plane around, for cameras bend planes. A
  * point counts as being above only where depth noise does not explain it. What
- * continues outside of the hull or higher up is no object (walls, people), nor is what lies
- * under a higher supporting plane (legs of a table), on a plane most of which is elsewhere
+ * continues outside of the hull or higher up is no object (people, furniture), nor is what lies
+ * under a higher supporting plane (legs of a table), on a plane much of which is elsewhere
  * (the wall behind a table), or mostly ends at something nearer above it in the image, for
- * how high it is cannot be seen. A thing on a thing is one object with it,
- * but for setSplitAtConcaveEdges().
+ * how high it is cannot be seen. What touches such a wall is an object if a quarter of its points
+ * stand out from it, by five standard deviations of depth. A thing on a thing is one object with
+ * it, but for setSplitAtConcaveEdges().
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the

@@ -205,7 +205,7 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
 {
   const Eigen::Translation3f sensor (input_->sensor_origin_.template head<3>());
   supports_.compute (points, planes_, camera_to_base_ * sensor, parameters_);
-  clustering_.compute (points, selected_, supports_.planes(), parameters_);
+  clustering_.compute (points, selected_, supports_, parameters_);
   if (!parameters_.split_at_concave_edges)
     return clustering_.clusters();
   const PointNT& first = normals_->front();
