@@ -27,6 +27,8 @@ constexpr double least_warp = 1e-6; // 1/m
 /** The standard deviation of what planes change by, m of m * p = 1, in that of the warp:
  * large, for directions in which few points tell nothing. */
 constexpr double change_in_warp = 10.;
+/** Cells so many standard deviations of noise and warp from their planes are of others. */
+constexpr double far_off = 5.;
 /** Planes at right angles are so to about this, radians. */
 constexpr double right_angle_deviation = 0.5 * M_PI / 180.;
 /** What the warp may tilt planes at right angles by, radians. */
@@ -40,6 +42,13 @@ double
 warpDeviation (const DepthNoise& noise)
 {
   return std::max (warp_in_noise * static_cast<double> (noise.quadratic), least_warp);
+}
+
+/** Errors of neighbours are alike: the mean of a cell is not much better than they are. */
+double
+inverseDepthDeviation (double inverse_depth, const DepthNoise& noise)
+{
+  return noise.constant * inverse_depth * inverse_depth + noise.quadratic;
 }
 
 /** cos (i pi t) of up to \a max_i half periods, t from 0 to 1 over the image and its
@@ -74,7 +83,7 @@ DepthWarp::setImage (const Eigen::MatrixXf& image)
   known_ = true;
 }
 
-void
+bool
 DepthWarp::add (const OrganizedPoints& points,
                 const std::vector<std::uint32_t>& plane_of,
                 const PlaneVectors& planes,
@@ -82,19 +91,22 @@ DepthWarp::add (const OrganizedPoints& points,
                 bool right_angles)
 {
   resize (points.width, points.height);
+  collectCells (points, plane_of, planes, noise);
+  if (!areNear (planes, noise))
+    return false;
   if (frames_ == 0) {
     const auto count = static_cast<Eigen::Index> (waves_.size());
     squares_.setZero (count, count);
     right_.setZero (count);
   }
   ++frames_;
-  collectCells (points, plane_of, planes, noise);
   sumUp (planes, noise);
   addProductsOfWaves();
   eliminatePlanes (planes);
   if (right_angles)
     addRightAngles();
   solve (noise);
+  return true;
 }
 
 void
@@ -133,6 +145,25 @@ DepthWarp::resize (int width, int height)
     wave.variance /= sum;
 }
 
+double
+DepthWarp::errorOf (const Cell& cell, const PlaneVectors& planes)
+{
+  return cell.inverse_depth - inverseDistance (planes[cell.plane]).dot (cell.ray);
+}
+
+/** Whether most cells are, to their planes. */
+bool
+DepthWarp::areNear (const PlaneVectors& planes, const DepthNoise& noise) const
+{
+  const double warp = warpDeviation (noise);
+  const auto near =
+      std::count_if (cells_.begin(), cells_.end(), [&] (const Cell& cell) {
+        const double sigma = inverseDepthDeviation (cell.inverse_depth, noise) + warp;
+        return std::abs (errorOf (cell, planes)) <= far_off * sigma;
+      });
+  return 2 * static_cast<std::size_t> (near) >= cells_.size();
+}
+
 void
 DepthWarp::sumUp (const PlaneVectors& planes, const DepthNoise& noise)
 {
@@ -152,11 +183,9 @@ DepthWarp::sumUp (const PlaneVectors& planes, const DepthNoise& noise)
     for (Eigen::Index k = 0; k < count; ++k)
       waves[k] = row_cosines_ (waves_[k].along_row, cell.column) *
                  column_cosines_ (waves_[k].along_column, cell.row);
-    // Errors of neighbours are alike: the mean of a cell is not much better than they are.
-    const double s = cell.inverse_depth;
-    const double sigma = noise.constant * s * s + noise.quadratic;
+    const double sigma = inverseDepthDeviation (cell.inverse_depth, noise);
     const double weight = 1. / (sigma * sigma);
-    const double error = s - inverseDistance (planes[cell.plane]).dot (cell.ray);
+    const double error = errorOf (cell, planes);
     weights_ (cell.row, cell.column) = weight;
     right_ += weight * error * waves;
     sums.squares += weight * cell.ray * cell.ray.transpose();

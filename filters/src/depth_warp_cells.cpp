@@ -59,7 +59,8 @@ DepthWarp::findMean (const OrganizedPoints& points,
     }
   cell.ray = Eigen::Vector3d (x, y, count) / count;
   cell.inverse_depth = static_cast<double> (inverse_depth) / count;
-  return 2 * count >= cell_size_ * cell_size_ && std::isfinite (inverse_depth);
+  return 2 * count >= cell_size_ * cell_size_ && cell.ray.allFinite() &&
+         std::isfinite (cell.inverse_depth);
 }
 
 } // namespace rgbd_planes

@@ -467,6 +467,38 @@ TEST (DepthWarpCorrection, WrongUseIsAnErrorAndLeavesNothing)
   EXPECT_TRUE (correctWith (correction, corner.cloud).empty()) << "an index outside";
 }
 
+TEST (DepthWarpCorrection, PlanesOfAnotherCloudAreRefused)
+{
+  Corner corner (160, waves);
+  Correction correction;
+  for (auto& plane : corner.planes) // as CameraToBase turns them
+    plane.head<3>() = Eigen::Vector3f (plane.z(), -plane.x(), -plane.y());
+  EXPECT_FALSE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+  EXPECT_EQ (correction.getNumberOfFrames(), 0u);
+  EXPECT_TRUE (correctWith (correction, corner.cloud).empty()) << "no frames";
+}
+
+TEST (DepthWarpCorrection, CloudsOfAnotherFrameAreRefused)
+{
+  const Corner corner (160, waves);
+  Correction correction;
+  ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+  corner.cloud->sensor_origin_.z() = 1.f;
+  EXPECT_FALSE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+  EXPECT_EQ (correction.getNumberOfFrames(), 1u);
+  EXPECT_TRUE (correctWith (correction, corner.cloud).empty());
+}
+
+TEST (DepthWarpCorrection, PointsFarBesideTheCameraTellNothing)
+{
+  const Corner corner (160, waves);
+  corner.cloud->front().getVector3fMap() << 1e38f, 0.f, 0.01f;
+  Correction correction;
+  ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+  for (const auto& pixel : correction.getWarp())
+    ASSERT_TRUE (std::isfinite (pixel.intensity));
+}
+
 TEST (DepthWarpCorrection, FramesWithoutPlanesTellNothing)
 {
   const Corner corner (160, waves);

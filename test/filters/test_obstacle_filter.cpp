@@ -63,6 +63,16 @@ TEST_F (ObstacleFilterTest, NegativeKeepsAllOthersThatAreFinite)
   EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{0, 2, 3, 6, 7, 8, 9, 10, 11}));
 }
 
+TEST_F (ObstacleFilterTest, NegativeDropsWhatIsNotMeasured)
+{
+  filter_.setNegative (true);
+  const pcl::Indices before = kept();
+  (*cloud_)[1].getVector3fMap().setZero();
+  (*cloud_)[4].x = std::numeric_limits<float>::infinity();
+  EXPECT_EQ (before, (pcl::Indices{1, 4, 5}));
+  EXPECT_EQ (kept(), (pcl::Indices{5}));
+}
+
 TEST_F (ObstacleFilterTest, WithIndicesOnlyThesePointsAreLookedAtInTheirOrder)
 {
   filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{11, 3, 1, 7}));

@@ -33,7 +33,8 @@ public:
   void
   clear ();
 
-  /** \brief Adds what the planes of a frame tell.
+  /** \brief Adds what the planes of a frame tell; false, and nothing is added, where most points
+   * are nowhere near their planes.
    * \param[in] points in the camera frame, z forward; an image of the size of those before
    * \param[in] plane_of for each point; no plane: a number beyond. Planes with few
    * points tell nothing.
@@ -41,7 +42,7 @@ public:
    * \param[in] right_angles large planes within 4 degrees of a right angle are taken to be at one,
    * to half a degree
    */
-  void
+  bool
   add (const OrganizedPoints& points,
        const std::vector<std::uint32_t>& plane_of,
        const PlaneVectors& planes,
@@ -129,6 +130,12 @@ private:
             const std::vector<std::uint32_t>& plane_of,
             const DepthNoise& noise,
             Cell& cell) const;
+
+  static double
+  errorOf (const Cell& cell, const PlaneVectors& planes);
+
+  bool
+  areNear (const PlaneVectors& planes, const DepthNoise& noise) const;
 
   void
   sumUp (const PlaneVectors& planes, const DepthNoise& noise);

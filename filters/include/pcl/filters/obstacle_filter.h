@@ -26,7 +26,7 @@ namespace pcl {
  * \endcode
  *
  * As in all FilterIndices: with indices, only these points are looked at; points without a
- * finite position are always removed; setKeepOrganized keeps the organization and gives
+ * measurement (NaN, Inf or (0, 0, 0)) are always removed; setKeepOrganized keeps the organization and gives
  * removed points the user filter value; getRemovedIndices has the removed points, unless
  * the constructor was told not to collect them. Classes that are missing or of another
  * size than the input, or an index outside of it: an error message, and nothing is kept.

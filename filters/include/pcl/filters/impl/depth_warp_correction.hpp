@@ -33,17 +33,20 @@ DepthWarpCorrection<PointT>::addFrame (
     fault =
         "The planes are not those of the cloud of " + std::to_string (cloud->size()) +
         " points: pass the coefficients of each plane and the indices of its points.";
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s::addFrame] %s\n", getClassName().c_str(), fault.c_str());
-    return false;
+  if (fault.empty()) {
+    rgbd_planes::fillPlaneOf (inlier_indices, cloud->size(), plane_of_);
+    if (!warp_.add (rgbd_planes::viewPoints (*cloud),
+                    plane_of_,
+                    rgbd_planes::planeVectors (model_coefficients),
+                    noise_,
+                    right_angles_))
+      fault =
+          "Most points are nowhere near their planes: pass the planes of this cloud, "
+          "in the frame of the camera.";
   }
-  rgbd_planes::fillPlaneOf (inlier_indices, cloud->size(), plane_of_);
-  warp_.add (rgbd_planes::viewPoints (*cloud),
-             plane_of_,
-             rgbd_planes::planeVectors (model_coefficients),
-             noise_,
-             right_angles_);
-  return true;
+  if (!fault.empty())
+    PCL_ERROR ("[pcl::%s::addFrame] %s\n", getClassName().c_str(), fault.c_str());
+  return fault.empty();
 }
 
 template <typename PointT>
@@ -88,6 +91,9 @@ DepthWarpCorrection<PointT>::faultOf (const PointCloud& cloud) const
 {
   if (!rgbd_planes::isImage (cloud))
     return rgbd_planes::notAnImage (cloud);
+  if (!cloud.sensor_origin_.template head<3>().isZero (0.f))
+    return "The cloud is in another frame than that of the camera, for its "
+           "sensor_origin_ is not 0: correct it before you transform it.";
   if (warp_.isKnown() && (static_cast<int> (cloud.width) != warp_.width() ||
                           static_cast<int> (cloud.height) != warp_.height()))
     return "The cloud is " + std::to_string (cloud.width) + " x " +

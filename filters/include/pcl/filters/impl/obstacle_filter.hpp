@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/organized_view.h>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>
 
@@ -39,7 +39,7 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
     const auto c = static_cast<rgbd_planes::ObstacleClass> ((*classes_)[i].label);
     const bool is_obstacle = c == rgbd_planes::ObstacleClass::obstacle ||
                              c == rgbd_planes::ObstacleClass::drop_off;
-    if (pcl::isFinite ((*input_)[i]) && is_obstacle != negative_)
+    if (rgbd_planes::isMeasured (&(*input_)[i].x) && is_obstacle != negative_)
       indices.push_back (index);
     else if (extract_removed_indices_)
       removed_indices_->push_back (index);
