@@ -134,8 +134,8 @@ DepthCorrection::fitWarpTo (const Cloud& cloud)
   const auto size = [] (const auto& image) {
     return std::to_string (image.width) + " x " + std::to_string (image.height);
   };
-  const auto warp =
-      subsample (option_.warp, std::max (option_.warp.width / cloud.width, 1u));
+  const std::uint32_t step = (option_.warp.width + cloud.width - 1) / cloud.width;
+  const auto warp = subsample (option_.warp, step);
   if (warp.width != cloud.width || warp.height != cloud.height)
     throw AppError (option_.file + ": the warp is " + size (option_.warp) +
                     ", but a frame is " + size (cloud) +

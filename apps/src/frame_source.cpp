@@ -93,6 +93,11 @@ FrameSource::read (std::size_t i) const
   Frame frame;
   frame.name = stored.name;
   stored.read (frame);
+  if (frame.cloud->width < 2 || frame.cloud->height < 2)
+    throw AppError (options_.input + ": frame " + frame.name + " is " +
+                    std::to_string (frame.cloud->width) + " x " +
+                    std::to_string (frame.cloud->height) +
+                    "; give images with at least 2 x 2 pixels");
   if (options_.step == 1)
     return frame;
   *frame.cloud = subsample (*frame.cloud, options_.step);

@@ -18,8 +18,11 @@ volatile std::sig_atomic_t interrupted = 0;
 void
 catchInterruption ()
 {
+  const auto interrupt = [] (int) { interrupted = 1; };
   for (const int signal : {SIGINT, SIGTERM})
-    std::signal (signal, [] (int) { interrupted = 1; });
+    std::signal (signal, interrupt);
+  if (std::signal (SIGHUP, interrupt) == SIG_IGN) // under nohup
+    std::signal (SIGHUP, SIG_IGN);
   for (const int signal : {SIGPIPE, SIGXFSZ})
     std::signal (signal, SIG_IGN);
 }

@@ -147,6 +147,15 @@ TEST (FrameSource, ResolutionTakesEveryNthPixel)
   EXPECT_TRUE (contains (messageOf (options), "too small"));
 }
 
+TEST (FrameSource, RowsAndColumnsAreNoImages)
+{
+  const TemporaryFolder folder;
+  writePng (folder / "row.png", 4, std::vector<std::uint16_t> (4, 1000));
+  writePng (folder / "column.png", 1, std::vector<std::uint16_t> (4, 1000));
+  EXPECT_TRUE (contains (messageOf (depthInputOf (folder / "row.png")), "is 4 x 1"));
+  EXPECT_TRUE (contains (messageOf (depthInputOf (folder / "column.png")), "is 1 x 4"));
+}
+
 TEST (FrameSource, DepthImagesNeedTheirCamera)
 {
   const TemporaryFolder folder;

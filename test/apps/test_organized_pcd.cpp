@@ -185,13 +185,40 @@ TEST (OrganizedPcd, ViewpointsMayBeNegativeAndFieldsWithoutSizes)
   const TemporaryFolder folder;
   std::string text = asciiPcd ("x y z", 2, 2, "1 1 1\n2 2 2\n3 3 3\n4 4 4\n");
   const auto viewpoint = text.find ("POINTS");
-  text.insert (viewpoint, "VIEWPOINT -1 -2 -3 -1 0 0 0\n");
+  text.insert (viewpoint, "VIEWPOINT 0 0 0 0 -1 0 0\n");
   writeFile (folder / "viewpoint.pcd", text);
-  EXPECT_EQ (readOrganizedPcd (folder / "viewpoint.pcd")->sensor_origin_[2], -3.f);
+  EXPECT_EQ (readOrganizedPcd (folder / "viewpoint.pcd")->sensor_orientation_.x(),
+             -1.f);
   writeFile (folder / "sizes.pcd",
              "VERSION .7\nFIELDS x y z\nWIDTH 65535\nHEIGHT 65536\n"
              "POINTS 4294901760\nDATA ascii\n");
   EXPECT_NE (messageOf (folder / "sizes.pcd").find ("damaged"), std::string::npos);
+}
+
+TEST (OrganizedPcd, CloudsInOtherFramesAreRefused)
+{
+  const TemporaryFolder folder;
+  for (const std::string origin : {"-1 0 0", "0 0 1e-3"}) {
+    std::string text = asciiPcd ("x y z", 2, 2, "1 1 1\n2 2 2\n3 3 3\n4 4 4\n");
+    text.insert (text.find ("POINTS"), "VIEWPOINT " + origin + " 1 0 0 0\n");
+    writeFile (folder / "base.pcd", text);
+    EXPECT_NE (messageOf (folder / "base.pcd").find ("VIEWPOINT"), std::string::npos)
+        << origin;
+  }
+}
+
+TEST (OrganizedPcd, EachLineOfTextIsAPoint)
+{
+  const TemporaryFolder folder;
+  const auto message = [&] (const std::string& lines) {
+    writeFile (folder / "text.pcd", asciiPcd ("x y z", 2, 2, lines));
+    return messageOf (folder / "text.pcd");
+  };
+  EXPECT_EQ (message ("1 1 1\r\n\n 2\t2  2 \n-nan inf 3e-1\n4 4 4\n\n"), "");
+  for (const std::string second : {"2 2", "2 2 2 2", "2,5 2 2", "2 2 b", "2 2 2x"})
+    EXPECT_NE (message ("1 1 1\n" + second + "\n3 3 3\n4 4 4\n").find ("damaged"),
+               std::string::npos)
+        << second;
 }
 
 TEST (OrganizedPcd, EveryTruncationIsRefused)

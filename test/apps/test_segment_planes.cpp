@@ -433,6 +433,20 @@ TEST_F (SegmentPlanes, CorrectsWithTheWarpOfAnEarlierRun)
   EXPECT_LT (cosine ("small/result.json"), 0.02);
 }
 
+TEST_F (SegmentPlanes, WarpsOfOddSizesFitAllResolutions)
+{
+  writePng (folder_ / "odd.png", 161, std::vector<std::uint16_t> (161 * 121, 1000));
+  std::string zeros;
+  for (int i = 0; i < 161 * 121; ++i)
+    zeros += "0\n";
+  writeFile (folder_ / "warp.pcd", asciiPcd ("intensity", 161, 121, zeros));
+  for (const std::string resolution : {"vga", "qvga", "qqvga"}) {
+    const Outcome outcome =
+        run ("odd.png --corrected warp.pcd --resolution " + resolution + camera_);
+    EXPECT_EQ (outcome.code, 0) << outcome.err;
+  }
+}
+
 TEST_F (SegmentPlanes, RefusesWhatIsNoWarpOfTheCamera)
 {
   ASSERT_EQ (
