@@ -21,27 +21,28 @@ constexpr float own_sigmas = 2.f;
 /** Planes whose weighted normals add up to less count for nothing. */
 constexpr float min_squared_sum = 1e-20f;
 
-/** The weighted sum of the normals of planes around a cell: those that bend little count,
- * and those on which \a p lies, with Tukey's biweight of its distance times \a reach. */
-template <std::size_t number>
+/** Adds to \a sum the weighted normals of candidates \a first and following: those that bend
+ * little count, and those on which \a p lies, with Tukey's biweight of its distance times
+ * \a reach. */
+template <std::size_t first, std::size_t number>
 HWY_INLINE Vectors
-sumOfNormals (const Candidates<number>& candidates,
-              std::ptrdiff_t at,
-              const Vectors& p,
-              V reach)
+addNormals (const Candidates<number>& candidates,
+            std::ptrdiff_t at,
+            const Vectors& p,
+            V reach,
+            Vectors sum)
 {
-  const V zero = hn::Zero (Floats());
   const Vectors scaled = p * reach;
   // The rows have the same one, which takes fewer registers.
   const std::size_t stride = candidates[0].stride();
-  Vectors sum{zero, zero, zero};
 #pragma GCC unroll 9
-  for (std::size_t k = 0; k < number; ++k) {
+  for (std::size_t k = first; k < number; ++k) {
     const float* x = candidates[k][plane_x] + at;
     const float* distance = x + plane_distance * stride;
     const Vectors n = {load (x), load (x + stride), load (x + 2 * stride)};
     const V deviation = hn::NegMulAdd (load (distance), reach, dot (n, scaled));
-    const V root = hn::Max (hn::NegMulAdd (deviation, deviation, set (1.f)), zero);
+    const V root =
+        hn::Max (hn::NegMulAdd (deviation, deviation, set (1.f)), hn::Zero (Floats()));
     const V weight = hn::Mul (load (distance + stride), hn::Mul (root, root));
     sum = {hn::MulAdd (n.x, weight, sum.x),
            hn::MulAdd (n.y, weight, sum.y),
@@ -118,7 +119,9 @@ writePixelNormalsOf (const float* points,
               point.measured, hn::Gt (off, hn::Mul (set (own_sigmas), deviation)));
           if (candidates && !hn::AllFalse (d, lies_off)) {
             const V reach = hn::Div (set (1.f / reach_sigmas), deviation);
-            const Vectors sum = sumOfNormals (*candidates, i, point.p, reach);
+            const V zero = hn::Zero (d);
+            const Vectors sum =
+                addNormals<0> (*candidates, i, point.p, reach, {zero, zero, zero});
             const V squared_length = dot (sum, sum);
             const Mask is_mean =
                 hn::And (lies_off, hn::Gt (squared_length, set (min_squared_sum)));
@@ -133,39 +136,60 @@ writePixelNormalsOf (const float* points,
   return valid;
 }
 
-} // namespace
+/** The sums of the normals of the candidates. */
+HWY_INLINE void
+sumPlanes (const Candidates<5>& candidates,
+           std::size_t cells,
+           CellRow points,
+           PlaneRow sums)
+{
+  const PlaneRow own = candidates[0];
+  for (std::size_t at = 0; at < cells; at += hn::Lanes (Floats())) {
+    const auto i = static_cast<std::ptrdiff_t> (at);
+    // The point lies on its own plane.
+    const Vectors own_normal = load (own, plane_x, i) * load (own[plane_weight] + i);
+    store (addNormals<1> (candidates,
+                          i,
+                          load (points, cell_x, i),
+                          load (points[cell_reach] + i),
+                          own_normal),
+           sums,
+           plane_x,
+           at);
+  }
+}
 
-// Short loops, one after another over a row in the cache, keep a processor busier than one
-// long loop, in which each step waits for the one before.
-void
-averagePlanesHere (const Candidates<5>& candidates,
-                   std::size_t cells,
-                   const CellRow& points,
-                   const PlaneRow& planes)
+/** Makes the planes through the points out of the sums of normals in their places. */
+HWY_INLINE void
+finishMeans (PlaneRow own, std::size_t cells, CellRow points, PlaneRow planes)
 {
   constexpr Floats d;
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
-    store (sumOfNormals (
-               candidates, i, load (points, cell_x, i), load (points[cell_reach] + i)),
-           planes,
-           plane_x,
-           at);
-  }
-  PlaneRow own = candidates[0];
-  for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
-    const auto i = static_cast<std::ptrdiff_t> (at);
     const Vectors sum = load (planes, plane_x, i);
     const V squared_length = dot (sum, sum);
-    const Mask is_mean =
-        hn::And (hn::Gt (load (points[cell_reach] + i), hn::Zero (Floats())),
-                 hn::Gt (squared_length, set (min_squared_sum)));
+    const Mask is_mean = hn::And (hn::Gt (load (points[cell_reach] + i), hn::Zero (d)),
+                                  hn::Gt (squared_length, set (min_squared_sum)));
     const Vectors n =
         choose (is_mean, sum * reciprocalSqrt (squared_length), load (own, plane_x, i));
     store (n, planes, plane_x, at);
     store (dot (n, load (points, cell_x, i)), planes[plane_distance] + i);
     store (load (own[plane_weight] + i), planes[plane_weight] + i);
   }
+}
+
+} // namespace
+
+void
+averagePlanesHere (const Candidates<5>& candidates,
+                   std::size_t cells,
+                   const CellRow& points,
+                   const PlaneRow& planes)
+{
+  // Short loops, one after another over a row in the cache, keep a processor busier than
+  // one long loop, in which each step waits for the one before.
+  sumPlanes (candidates, cells, points, planes);
+  finishMeans (candidates[0], cells, points, planes);
 }
 
 std::size_t

@@ -36,10 +36,10 @@ prefixSums (I v, I& last)
   return v;
 }
 #else
-/** To each lane in the second half of \a size lanes, the last lane of the first half. */
+/** Adds the last lane of the first half of \a size lanes to each lane of the second half. */
 template <int size>
 HWY_INLINE I
-endOfFirstHalf (I v)
+addFirstHalves (I v)
 {
   constexpr Ints d;
   constexpr std::int32_t half = size / 2;
@@ -49,8 +49,9 @@ endOfFirstHalf (I v)
     is_second[i] = i & half ? -1 : 0;
     from[i] = i & half ? i / half * half - 1 : 0;
   }
-  return hn::And (hn::Load (d, is_second),
-                  hn::TableLookupLanes (v, hn::SetTableIndices (d, from)));
+  const I ends = hn::TableLookupLanes (v, hn::SetTableIndices (d, from));
+  return hn::IfThenElse (
+      hn::MaskFromVec (hn::Load (d, is_second)), hn::Add (v, ends), v);
 }
 
 HWY_INLINE I
@@ -60,9 +61,9 @@ prefixSums (I v, I& last)
   v = hn::Add (v, hn::ShiftLeftLanes<1> (d, v));
   v = hn::Add (v, hn::ShiftLeftLanes<2> (d, v));
   if constexpr (hn::MaxLanes (d) > 4)
-    v = hn::Add (v, endOfFirstHalf<8> (v));
+    v = addFirstHalves<8> (v);
   if constexpr (hn::MaxLanes (d) > 8)
-    v = hn::Add (v, endOfFirstHalf<16> (v));
+    v = addFirstHalves<16> (v);
   if constexpr (hn::MaxLanes (d) > 4) {
     HWY_ALIGN std::int32_t from[RowRing<float>::lanes];
     std::fill_n (from, hn::Lanes (d), static_cast<std::int32_t> (hn::Lanes (d)) - 1);
@@ -75,6 +76,28 @@ prefixSums (I v, I& last)
 }
 #endif
 
+/** Continues the integral image of one channel. */
+HWY_INLINE void
+addUpChannel (const float* sums,
+              const float* scale,
+              std::size_t cells,
+              std::size_t margin,
+              const std::int32_t* above,
+              std::int32_t* integral)
+{
+  constexpr Ints d;
+  I carry = hn::Zero (d);
+  for (std::size_t i = 0; i < cells; i += hn::Lanes (d)) {
+    I last;
+    const I sum = prefixSums (nearestProduct (load (sums + i), load (scale + i)), last);
+    hn::StoreU (
+        hn::Add (hn::LoadU (d, above + i), hn::Add (sum, carry)), d, integral + i);
+    carry = hn::Add (carry, last);
+  }
+  for (std::size_t i = cells; i < cells + margin; i += hn::Lanes (d))
+    hn::StoreU (hn::Add (hn::LoadU (d, above + i), carry), d, integral + i);
+}
+
 } // namespace
 
 void
@@ -84,21 +107,8 @@ addUpHere (const SumRow& sums,
            const TangentRow& above,
            const TangentRow& integral)
 {
-  constexpr Ints d;
-  for (std::size_t c = 0; c < tangent_channels; ++c) {
-    I carry = hn::Zero (d);
-    for (std::size_t i = 0; i < cells; i += hn::Lanes (d)) {
-      I last;
-      const I sum = prefixSums (
-          nearestProduct (load (sums[c] + i), load (sums[sum_scale] + i)), last);
-      hn::StoreU (hn::Add (hn::LoadU (d, above[c] + i), hn::Add (sum, carry)),
-                  d,
-                  integral[c] + i);
-      carry = hn::Add (carry, last);
-    }
-    for (std::size_t i = cells; i < cells + margin; i += hn::Lanes (d))
-      hn::StoreU (hn::Add (hn::LoadU (d, above[c] + i), carry), d, integral[c] + i);
-  }
+  for (std::size_t c = 0; c < tangent_channels; ++c)
+    addUpChannel (sums[c], sums[sum_scale], cells, margin, above[c], integral[c]);
 }
 
 void
@@ -109,10 +119,12 @@ sumColumnsHere (const WindowRows& rows, std::size_t columns, const WindowColumns
     const std::int32_t* top = rows.top[c];
     const std::int32_t* middle = rows.middle[c];
     const std::int32_t* below = (c < 3 ? rows.below : rows.below_vertical)[c];
+    std::int32_t* whole = sums.whole[c];
+    std::int32_t* lower = sums.lower[c];
     for (std::size_t i = 0; i < columns; i += hn::Lanes (d)) {
       const I sum = hn::LoadU (d, below + i);
-      hn::StoreU (hn::Sub (sum, hn::LoadU (d, top + i)), d, sums.whole[c] + i);
-      hn::StoreU (hn::Sub (sum, hn::LoadU (d, middle + i)), d, sums.lower[c] + i);
+      hn::StoreU (hn::Sub (sum, hn::LoadU (d, top + i)), d, whole + i);
+      hn::StoreU (hn::Sub (sum, hn::LoadU (d, middle + i)), d, lower + i);
     }
   }
 }

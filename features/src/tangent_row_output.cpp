@@ -18,11 +18,39 @@ namespace rgbd_planes {
 std::size_t
 TangentRowPipeline::write (int v, const NormalOutput& output)
 {
+  const bool in_place = output.padded && points_.width == padded_width_ * grid_.step;
+  float* normals = in_place
+                       ? output.normal + static_cast<std::size_t> (v) *
+                                             static_cast<std::size_t> (points_.width) *
+                                             normal_floats
+                       : normals_[0][0];
+  std::size_t valid = writeRow (v, normals);
+  if (parameters_->ignore_border)
+    valid -= blankBorder (v / grid_.step, normals);
+  if (!in_place)
+    copyNormals (normals, v, output);
+  return valid;
+}
+
+std::size_t
+TangentRowPipeline::writeRow (int v, float* normals)
+{
   const int y = v / grid_.step;
   const int stage = lastStage();
+  const PlaneRow own = planesOf (stage, y);
+  const auto writeWith = [&] (const Candidates<9>* around) {
+    return writeNormals (grid_.step > 1 ? pointsOf (v) : nullptr,
+                         static_cast<std::size_t> (padded_width_),
+                         grid_.step,
+                         sensor_,
+                         own,
+                         around,
+                         normals);
+  };
+  if (rowsAround() == 0)
+    return writeWith (nullptr);
   const auto [du, dv] = grid_.straight;
   const PlaneRow above = planesOf (stage, y - dv);
-  const PlaneRow own = planesOf (stage, y);
   const PlaneRow below = planesOf (stage, y + dv);
   const Candidates<9> around{{own,
                               own.shifted (-du),
@@ -33,25 +61,7 @@ TangentRowPipeline::write (int v, const NormalOutput& output)
                               below,
                               below.shifted (-du),
                               below.shifted (du)}};
-  const bool in_place = output.padded && points_.width == padded_width_ * grid_.step;
-  float* normals = in_place
-                       ? output.normal + static_cast<std::size_t> (v) *
-                                             static_cast<std::size_t> (points_.width) *
-                                             normal_floats
-                       : normals_[0][0];
-  std::size_t valid = writeNormals (grid_.step > 1 ? pointsOf (v) : nullptr,
-                                    static_cast<std::size_t> (padded_width_),
-                                    grid_.step,
-                                    sensor(),
-                                    own,
-                                    rowsAround() > 0 ? &around : nullptr,
-                                    normals);
-  if (parameters_->ignore_border)
-    valid -= blankBorder (y, normals);
-
-  if (!in_place)
-    copyNormals (normals, v, output);
-  return valid;
+  return writeWith (&around);
 }
 
 /** Copies the normals of a row of pixels to where they go, and begins to fetch where the next

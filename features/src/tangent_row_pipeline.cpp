@@ -44,6 +44,10 @@ TangentRowPipeline::run (const OrganizedPoints& points,
   points_ = points;
   parameters_ = &parameters;
   grid_ = grid;
+  sensor_ = {parameters.sensor_origin,
+             parameters.noise.constant,
+             parameters.noise.quadratic,
+             parameters.max_depth_change_factor};
   start (begin);
   std::size_t valid = 0;
   for (int y = begin; y < end; ++y) {
@@ -53,15 +57,6 @@ TangentRowPipeline::run (const OrganizedPoints& points,
       valid += write (v, output);
   }
   return valid;
-}
-
-SensorModel
-TangentRowPipeline::sensor() const
-{
-  return {parameters_->sensor_origin,
-          parameters_->noise.constant,
-          parameters_->noise.quadratic,
-          parameters_->max_depth_change_factor};
 }
 
 int
@@ -150,14 +145,14 @@ TangentRowPipeline::sumUpTo (int last)
     for (; next_pixels_ <= std::min (v + grid_.step, points_.height - 1);
          ++next_pixels_)
       loadPixels (
-          pointsOf (next_pixels_), cells, grid_.step, sensor(), pixels_[next_pixels_]);
+          pointsOf (next_pixels_), cells, grid_.step, sensor_, pixels_[next_pixels_]);
     const auto pixelRow = [&] (int row) {
       return row < points_.height ? pixels_[row] : no_pixels_[0];
     };
     const std::array<PixelRow, 3> rows{
         {pixelRow (v), pixelRow (v + 1), pixelRow (v + grid_.step)}};
     sumTangents (
-        rows.data(), cells, grid_.step, sensor(), units_, sums_[0], cells_[next_sum_]);
+        rows.data(), cells, grid_.step, sensor_, units_, sums_[0], cells_[next_sum_]);
     addUp (sums_[0],
            cells,
            static_cast<std::size_t> (margin_),

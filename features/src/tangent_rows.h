@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/row_ring.h>
+#include <pcl/features/tangent_row_pipeline.h>
 
 #include <array>
 #include <cstddef>
@@ -15,7 +16,8 @@ namespace rgbd_planes {
 // The steps of tangent_row_pipeline.cpp, each for one row of cells, with the vector
 // instructions of the machine it runs on. A cell is one pixel (step 1) or 2 x 2 pixels
 // (step 2); step pixels of a row of pixels belong to each of its cells. All points are
-// relative to the sensor.
+// relative to the sensor. Loops take the rows that they write by value: a compiler cannot tell
+// that what they write is not the row itself, and would load it again and again.
 
 /** The channels of a row of cells: one of its points, the reciprocal of the distance
  * from it at which planes no longer count (0: the cell has no point). */
@@ -50,15 +52,6 @@ using SumRow = ChannelRow<float>;
 using CellRow = ChannelRow<float>;
 using PlaneRow = ChannelRow<float>;
 using TangentRow = ChannelRow<std::int32_t>;
-
-/** What is known of the sensor. */
-struct SensorModel {
-  std::array<float, 3> origin;
-  /** The standard deviation of depth is constant + quadratic * range^2. */
-  float noise_constant;
-  float noise_quadratic;
-  float max_depth_change_factor;
-};
 
 /** The sums over a window need the rows of integral images above its first row, above
  * its middle row, and below its last row. Tangents lie between rows, hence one row of

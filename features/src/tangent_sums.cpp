@@ -29,7 +29,7 @@ void
 loadPixelsOf (const float* points,
               std::size_t cells,
               const SensorModel& sensor,
-              const PixelRow& pixels)
+              PixelRow pixels)
 {
   const V infinite = set (std::numeric_limits<float>::infinity());
   for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
@@ -143,9 +143,9 @@ template <int step>
 void
 sumTangentsOf (const PixelRow* pixels,
                std::size_t cells,
-               SensorModel sensor,
+               const SensorModel& sensor,
                float units,
-               const SumRow& sums,
+               SumRow sums,
                const CellRow& points)
 {
   for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {

@@ -14,8 +14,16 @@ namespace pcl {
 namespace rgbd_planes {
 
 struct NormalOutput;
-struct SensorModel;
 struct TangentNormalParameters;
+
+/** \brief What is known of the sensor. */
+struct SensorModel {
+  std::array<float, 3> origin;
+  /** The standard deviation of depth is constant + quadratic * range^2. */
+  float noise_constant;
+  float noise_quadratic;
+  float max_depth_change_factor;
+};
 
 /** \brief The grid on which TangentNormals computes, in cells of step x step pixels. */
 struct TangentGrid {
@@ -64,9 +72,6 @@ private:
   /** Planes as fitted, after the first, and after the second round of averaging. */
   static constexpr int plane_stages = 3;
 
-  SensorModel
-  sensor () const;
-
   int
   lastStage () const;
 
@@ -97,6 +102,9 @@ private:
   std::size_t
   write (int v, const NormalOutput& output);
 
+  std::size_t
+  writeRow (int v, float* normals);
+
   void
   copyNormals (const float* normals, int v, const NormalOutput& output);
 
@@ -109,6 +117,8 @@ private:
   OrganizedPoints points_;
   const TangentNormalParameters* parameters_ = nullptr;
   TangentGrid grid_;
+  /** Made once: what was just written part by part takes long to be read as a whole. */
+  SensorModel sensor_{};
   int padded_width_ = 0;
   int margin_ = 0;
   float units_ = 0.f;
