@@ -149,7 +149,7 @@ HWY_INLINE V
 sigma (const SensorModel& sensor, V squared_range)
 {
   return hn::MulAdd (
-      set (sensor.noise_quadratic), squared_range, set (sensor.noise_constant));
+      set (sensor.noise.quadratic), squared_range, set (sensor.noise.constant));
 }
 
 HWY_INLINE Mask

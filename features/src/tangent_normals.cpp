@@ -69,21 +69,18 @@ TangentNormals::compute (const OrganizedPoints& points,
   if (points.size() == 0)
     return 0;
   const TangentGrid grid = makeGrid (points, parameters);
-  const int bands = std::clamp (static_cast<int> (parameters.threads),
-                                1,
-                                std::max (grid.height / min_band_height, 1));
-  if (pipelines_.size() < static_cast<std::size_t> (bands))
-    pipelines_.resize (static_cast<std::size_t> (bands));
+  const auto most = static_cast<unsigned> (std::max (grid.height / min_band_height, 1));
+  const int bands = static_cast<int> (std::clamp (parameters.threads, 1u, most));
+  pipelines_.resize (std::max (pipelines_.size(), static_cast<std::size_t> (bands)));
+  const auto begin = [&] (int band) { return grid.height * band / bands; };
+  // Exceptions, of memory that is short, must not leave a parallel region.
+  for (int band = 0; band < bands; ++band)
+    pipelines_[static_cast<std::size_t> (band)].start (
+        points, parameters, grid, begin (band));
   std::size_t valid = 0;
 #pragma omp parallel for num_threads(bands) schedule(static, 1) reduction(+ : valid)
   for (int band = 0; band < bands; ++band)
-    valid += pipelines_[static_cast<std::size_t> (band)].run (
-        points,
-        parameters,
-        grid,
-        grid.height * band / bands,
-        grid.height * (band + 1) / bands,
-        output);
+    valid += pipelines_[static_cast<std::size_t> (band)].run (begin (band + 1), output);
   return valid;
 }
 

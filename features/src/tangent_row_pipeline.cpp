@@ -34,26 +34,13 @@ copyBendToBorders (const PlaneRow& planes, int width)
 } // namespace
 
 std::size_t
-TangentRowPipeline::run (const OrganizedPoints& points,
-                         const TangentNormalParameters& parameters,
-                         const TangentGrid& grid,
-                         int begin,
-                         int end,
-                         const NormalOutput& output)
+TangentRowPipeline::run (int end, const NormalOutput& output)
 {
-  points_ = points;
-  parameters_ = &parameters;
-  grid_ = grid;
-  sensor_ = {parameters.sensor_origin,
-             parameters.noise.constant,
-             parameters.noise.quadratic,
-             parameters.max_depth_change_factor};
-  start (begin);
   std::size_t valid = 0;
-  for (int y = begin; y < end; ++y) {
+  for (int y = begin_; y < end; ++y) {
     planesUpTo (lastStage(), y + rowsAround());
-    const int below = std::min ((y + 1) * grid.step, points.height);
-    for (int v = y * grid.step; v < below; ++v)
+    const int below = std::min ((y + 1) * grid_.step, points_.height);
+    for (int v = y * grid_.step; v < below; ++v)
       valid += write (v, output);
   }
   return valid;
@@ -73,8 +60,17 @@ TangentRowPipeline::rowsAround() const
 }
 
 void
-TangentRowPipeline::start (int begin)
+TangentRowPipeline::start (const OrganizedPoints& points,
+                           const TangentNormalParameters& parameters,
+                           const TangentGrid& grid,
+                           int begin)
 {
+  points_ = points;
+  parameters_ = &parameters;
+  grid_ = grid;
+  sensor_.origin = parameters.sensor_origin;
+  sensor_.max_depth_change_factor = parameters.max_depth_change_factor;
+  begin_ = begin;
   padded_width_ = RowRing<float>::roundUp (grid_.width);
   const auto largest = grid_.areas[grid_.number_of_areas - 1];
   const int area = (2 * largest.half_width + 1) * (2 * largest.half_height + 1);

@@ -133,10 +133,8 @@ computeTwoRunNormals (const OrganizedPoints& points,
                                  : surface.height > 1 ? searchImage (surface)
                                                       : searchTree (surface);
   const std::size_t parts = (indices.size() + part_size - 1) / part_size;
-  const int threads =
-      std::clamp (static_cast<int> (numberOfThreads (parameters.threads)),
-                  1,
-                  std::max (static_cast<int> (parts), 1));
+  const int threads = static_cast<int> (std::clamp<std::size_t> (
+      numberOfThreads (parameters.threads), 1, std::max<std::size_t> (parts, 1)));
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   std::size_t valid = 0;
 #pragma omp parallel num_threads(threads) reduction(+ : valid)

@@ -105,13 +105,16 @@ public:
   void
   reset (int rows, int channels, int width, int margin, T value)
   {
-    const auto old = std::tuple (rows_, channels_, margin_, stride_);
-    rows_ = static_cast<std::size_t> (rows);
-    channels_ = static_cast<std::size_t> (channels);
-    margin_ = static_cast<std::size_t> (roundUp (margin));
-    stride_ = static_cast<std::size_t> (roundUp (width)) + 2 * margin_;
-    if (old != std::tuple (rows_, channels_, margin_, stride_))
-      elements_.assign (rows_ * channels_ * stride_, value);
+    const auto m = static_cast<std::size_t> (roundUp (margin));
+    const std::tuple size (static_cast<std::size_t> (rows),
+                           static_cast<std::size_t> (channels),
+                           m,
+                           static_cast<std::size_t> (roundUp (width)) + 2 * m);
+    if (size == std::tuple (rows_, channels_, margin_, stride_))
+      return;
+    elements_.assign (std::get<0> (size) * std::get<1> (size) * std::get<3> (size),
+                      value);
+    std::tie (rows_, channels_, margin_, stride_) = size;
   }
 
   /** \brief Sets all of row \a v to \a value. */

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/tangent_row_pipeline.h>
@@ -39,8 +38,6 @@ struct TangentNormalParameters {
   bool edge_aware = true;
   /** The number of threads, 1 or more; the result does not depend on it. */
   unsigned int threads = 1;
-  /** Tells surfaces apart. */
-  DepthNoise noise;
   /** Where the sensor is, in the frame of the points; normals face it. */
   std::array<float, 3> sensor_origin{{0.f, 0.f, 0.f}};
 };

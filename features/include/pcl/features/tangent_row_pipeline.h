@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/row_ring.h>
 
@@ -18,11 +19,9 @@ struct TangentNormalParameters;
 
 /** \brief What is known of the sensor. */
 struct SensorModel {
-  std::array<float, 3> origin;
-  /** The standard deviation of depth is constant + quadratic * range^2. */
-  float noise_constant;
-  float noise_quadratic;
-  float max_depth_change_factor;
+  std::array<float, 3> origin{{0.f, 0.f, 0.f}};
+  DepthNoise noise; // tells surfaces apart
+  float max_depth_change_factor = 0.f;
 };
 
 /** \brief The grid on which TangentNormals computes, in cells of step x step pixels. */
@@ -58,15 +57,18 @@ struct TangentGrid {
  */
 class TangentRowPipeline {
 public:
-  /** \brief Writes the normals of rows [\a begin, \a end) of cells.
+  /** \brief Makes room for what run() does from row \a begin of cells on. */
+  void
+  start (const OrganizedPoints& points,
+         const TangentNormalParameters& parameters,
+         const TangentGrid& grid,
+         int begin);
+
+  /** \brief Writes the normals of the rows of cells from that of start() to before \a end;
+   * allocates nothing.
    * \return the number of normals that are not NaN */
   std::size_t
-  run (const OrganizedPoints& points,
-       const TangentNormalParameters& parameters,
-       const TangentGrid& grid,
-       int begin,
-       int end,
-       const NormalOutput& output);
+  run (int end, const NormalOutput& output);
 
 private:
   /** Planes as fitted, after the first, and after the second round of averaging. */
@@ -77,9 +79,6 @@ private:
 
   int
   rowsAround () const;
-
-  void
-  start (int begin);
 
   void
   sumUpTo (int last);
@@ -118,7 +117,8 @@ private:
   const TangentNormalParameters* parameters_ = nullptr;
   TangentGrid grid_;
   /** Made once: what was just written part by part takes long to be read as a whole. */
-  SensorModel sensor_{};
+  SensorModel sensor_;
+  int begin_ = 0; // of the rows of cells that are computed
   int padded_width_ = 0;
   int margin_ = 0;
   float units_ = 0.f;
