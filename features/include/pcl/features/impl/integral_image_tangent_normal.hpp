@@ -66,7 +66,7 @@ template <typename PointInT, typename PointOutT>
 std::string
 IntegralImageTangentNormalEstimation<PointInT, PointOutT>::complaint() const
 {
-  return rgbd_planes::isImage (*input_) ? "" : rgbd_planes::notAnImage (*input_);
+  return rgbd_planes::faultOfImage (*input_);
 }
 
 template <typename PointInT, typename PointOutT>

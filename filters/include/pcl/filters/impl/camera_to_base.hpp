@@ -10,6 +10,7 @@
 #include <pcl/type_traits.h>
 
 #include <limits>
+#include <string>
 
 namespace pcl {
 
@@ -62,11 +63,10 @@ void
 CameraToBase<PointT>::applyFilter (PointCloud& output)
 {
   const bool for_indices = use_indices_ && !fake_indices_;
-  if (for_indices && !rgbd_planes::indicesInside (*indices_, input_->size())) {
-    PCL_ERROR ("[pcl::%s] An index lies outside of the input cloud: give indices less "
-               "than %zu.\n",
-               getClassName().c_str(),
-               input_->size());
+  const std::string fault = rgbd_planes::faultOfIndices (
+      for_indices ? indices_.get() : nullptr, input_->size());
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
     output.clear();
     return;
   }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pcl {
 
@@ -140,17 +141,14 @@ SupportedObjectExtraction<PointT, PointNT>::checkInput (
     PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), what.c_str());
     return false;
   };
-  if (!input_)
-    return complain ("No input cloud: call setInputCloud first.");
-  if (!rgbd_planes::isImage (*input_))
-    return complain (rgbd_planes::notAnImage (*input_));
+  const std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
+  if (!fault.empty())
+    return complain (fault);
   if (parameters_.split_at_concave_edges &&
       (!normals_ || normals_->size() != input_->size()))
     return complain (
         "Splitting at concave edges needs a normal for each point of the whole "
         "cloud: pass them to setInputNormals.");
-  if (indices_ && !rgbd_planes::indicesInside (*indices_, input_->size()))
-    return complain ("An index lies outside of the input cloud.");
   if (model_coefficients.size() != inlier_indices.size())
     return complain ("There are " + std::to_string (model_coefficients.size()) +
                      " planes and inliers of " +
