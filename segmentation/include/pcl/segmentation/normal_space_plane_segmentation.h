@@ -163,6 +163,7 @@ public:
     rgbd_planes::setParameter (getClassName() + "::setMinimumNearNormals",
                                share,
                                parameters_.min_near_normals,
+                               rgbd_planes::Zero::allowed,
                                1.);
   }
 

@@ -116,7 +116,8 @@ public:
   setFloorTolerances (float angle, float height)
   {
     const std::string setter = getClassName() + "::setFloorTolerances";
-    rgbd_planes::setParameter (setter, angle, parameters_.floor_angle, M_PI);
+    rgbd_planes::setParameter (
+        setter, angle, parameters_.floor_angle, rgbd_planes::Zero::allowed, M_PI);
     rgbd_planes::setParameter (setter, height, parameters_.floor_height);
   }
 

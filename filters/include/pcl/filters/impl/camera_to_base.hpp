@@ -18,13 +18,8 @@ template <typename PointT>
 void
 CameraToBase<PointT>::setTransform (const Eigen::Affine3f& camera_to_base)
 {
-  if (!rgbd_planes::isRigid (camera_to_base)) {
-    PCL_ERROR ("[pcl::%s::setTransform] The transform must only turn and shift: give a "
-               "rotation matrix and a finite translation. Keeping the one before.\n",
-               getClassName().c_str());
-    return;
-  }
-  transform_ = camera_to_base;
+  rgbd_planes::setTransform (
+      getClassName() + "::setTransform", camera_to_base, transform_);
 }
 
 template <typename PointT>

@@ -19,17 +19,11 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setAngularThreshold (
     double angular_threshold)
 {
-  if (!(angular_threshold > 0. &&
-        static_cast<float> (angular_threshold) <= static_cast<float> (M_PI / 4.))) {
-    PCL_ERROR (
-        "[pcl::%s::setAngularThreshold] The threshold must be more than 0 and at "
-        "most pi / 4 radians, got %g. Keeping %g.\n",
-        getClassName().c_str(),
-        angular_threshold,
-        parameters_.angular_threshold);
-    return;
-  }
-  parameters_.angular_threshold = angular_threshold;
+  rgbd_planes::setParameter (getClassName() + "::setAngularThreshold",
+                             angular_threshold,
+                             parameters_.angular_threshold,
+                             rgbd_planes::Zero::refused,
+                             M_PI / 4.);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -37,16 +31,11 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDistanceThreshold (
     double distance_threshold)
 {
-  if (!(distance_threshold > 0. && std::isfinite (distance_threshold))) {
-    PCL_ERROR (
-        "[pcl::%s::setDistanceThreshold] The threshold must be more than 0 m, got "
-        "%g. Keeping %g.\n",
-        getClassName().c_str(),
-        distance_threshold,
-        parameters_.distance_threshold);
-    return;
-  }
-  parameters_.distance_threshold = distance_threshold;
+  rgbd_planes::setParameter (getClassName() + "::setDistanceThreshold",
+                             distance_threshold,
+                             parameters_.distance_threshold,
+                             rgbd_planes::Zero::refused,
+                             rgbd_planes::any_finite);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -31,14 +31,8 @@ void
 ObstacleDetection<PointT, PointNT, PointLT>::setCameraToBase (
     const Eigen::Affine3f& camera_to_base)
 {
-  if (!rgbd_planes::isRigid (camera_to_base)) {
-    PCL_ERROR (
-        "[pcl::%s::setCameraToBase] The transform must only turn and shift: give a "
-        "rotation matrix and a finite translation. Keeping the one before.\n",
-        getClassName().c_str());
-    return;
-  }
-  parameters_.camera_to_base = camera_to_base;
+  rgbd_planes::setTransform (
+      getClassName() + "::setCameraToBase", camera_to_base, parameters_.camera_to_base);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
