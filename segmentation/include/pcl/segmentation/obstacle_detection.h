@@ -67,8 +67,6 @@ public:
   using ScanLimits = rgbd_planes::ScanLimits;
   using VirtualScan = rgbd_planes::VirtualScan;
 
-  PCL_MAKE_ALIGNED_OPERATOR_NEW
-
   /** \brief Declared so that moving copies: what was moved from can be used on. */
   ~ObstacleDetection() override = default;
 
