@@ -41,7 +41,7 @@ linkRowHere (const PointRow& row,
       const V slope = set (limit.slope);
       const V level_slope = hn::Max (slope, hn::Div (set (limit.level_slope), rise));
       const auto storeLinks = [&] (const Points& q, std::uint8_t* links) HWY_ATTR {
-        const Points way = difference (p, q);
+        const Points way = p - q;
         const Mask is_level = hn::Le (hn::Abs (dot (up, way)), same_height);
         const V far =
             hn::MulAdd (hn::IfThenElse (is_level, level_slope, slope), range, noise);
