@@ -22,8 +22,8 @@ using Clouds = std::vector<Cloud::ConstPtr>;
 /** \brief Where the camera of each frame is, where this is known. */
 using BaseTransforms = std::vector<std::optional<Eigen::Affine3f>>;
 
-/** \brief All frames of all inputs, and their \a camera_to_base. AppError where they are not of one size, or too
- * small for a method at a quarter of it. */
+/** \brief All frames of all inputs, and their \a camera_to_base. AppError where they are not of
+ * one size, or too small for a method at a quarter of it. */
 Clouds
 readClouds (const std::vector<InputOptions>& inputs, BaseTransforms& camera_to_base);
 

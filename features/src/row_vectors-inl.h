@@ -12,21 +12,13 @@
 #endif
 
 #include "tangent_rows.h"
-#include <hwy/highway.h>
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, RowRing<float>::lanes>;
-using Ints = hn::CappedTag<std::int32_t, RowRing<float>::lanes>;
-using V = hn::Vec<Floats>;
-using I = hn::Vec<Ints>;
-using Mask = hn::Mask<Floats>;
 
 /** A plane counts for points up to this many deviations of depth away from it. */
 constexpr float reach_sigmas = 3.f;
@@ -37,38 +29,10 @@ constexpr float sharpness = 1.f / (half_weight_bend * half_weight_bend);
 constexpr float nearest_range = 1e-15f;
 constexpr float farthest_range = 1e15f;
 
-struct Vectors {
-  V x, y, z;
-};
-
-HWY_INLINE V
-set (float value)
-{
-  return hn::Set (Floats(), value);
-}
-
-HWY_INLINE V
-load (const float* from)
-{
-  return hn::LoadU (Floats(), from);
-}
-
 HWY_INLINE void
 store (V value, float* to)
 {
   hn::StoreU (value, Floats(), to);
-}
-
-HWY_INLINE V
-dot (const Vectors& a, const Vectors& b)
-{
-  return hn::MulAdd (a.x, b.x, hn::MulAdd (a.y, b.y, hn::Mul (a.z, b.z)));
-}
-
-HWY_INLINE Vectors
-operator- (const Vectors& a, const Vectors& b)
-{
-  return {hn::Sub (a.x, b.x), hn::Sub (a.y, b.y), hn::Sub (a.z, b.z)};
 }
 
 HWY_INLINE Vectors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/console/print.h>
 #include <pcl/filters/camera_pose.h>
 
 namespace pcl {
@@ -49,6 +50,20 @@ isRigid (const Eigen::Affine3f& transform)
   return transform.matrix().allFinite() &&
          (rotation * rotation.transpose()).isIdentity (tolerance) &&
          rotation.determinant() > 0.f;
+}
+
+void
+setTransform (const std::string& setter,
+              const Eigen::Affine3f& value,
+              Eigen::Affine3f& transform)
+{
+  if (isRigid (value)) {
+    transform = value;
+    return;
+  }
+  PCL_ERROR ("[pcl::%s] The transform must only turn and shift: give a rotation matrix "
+             "and a finite translation. Keeping the one before.\n",
+             setter.c_str());
 }
 
 } // namespace rgbd_planes

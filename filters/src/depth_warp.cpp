@@ -3,6 +3,7 @@
 
 #include <pcl/filters/depth_warp.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>

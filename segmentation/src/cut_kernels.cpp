@@ -107,8 +107,8 @@ isCut (const ClusterImage& image,
   Mask cut = hn::MaskFromVec (hn::Zero (Floats()));
   for (const std::ptrdiff_t step : steps) {
     const Surface a (image, i - step), b (image, i + step);
-    const Points forth = difference (b.points, a.points);
-    const Points back = difference (a.points, b.points);
+    const Points forth = b.points - a.points;
+    const Points back = a.points - b.points;
     const Mask is_inside =
         hn::And (areAlike (image, i, -step), areAlike (image, i, step));
     const Mask is_step = hn::Or (a.isBelow (forth, noise), b.isBelow (back, noise));

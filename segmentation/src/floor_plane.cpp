@@ -41,7 +41,8 @@ FloorPlane::find (const OrganizedPoints& points,
   }
 
   const Eigen::Vector3f base = camera_to_base.inverse().translation();
-  const float min_cosine = std::cos (max_angle);
+  // That of pi / 2 as a float is negative, as are those of ceilings.
+  const float min_cosine = std::max (std::cos (max_angle), 0.f);
   float largest_weight = 0.f;
   std::size_t floor = 0;
   found_ = false;

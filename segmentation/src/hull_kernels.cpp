@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
 #include "hull_kernels.h"
-#include <hwy/highway.h>
+#include "vectors-inl.h"
 
 #include <limits>
 
@@ -17,24 +17,20 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, hull_block>;
-using V = hn::Vec<Floats>;
-using Ints = hn::RebindToSigned<Floats>;
+static_assert (hull_block % RowRing<float>::lanes == 0, "blocks are whole vectors");
 
 /** In each lane, the largest value so far and the number of its point. */
 struct Furthest {
   V value;
-  hn::Vec<Ints> point;
+  I point;
 
   Furthest()
-  : value (hn::Set (Floats(), -std::numeric_limits<float>::infinity()))
+  : value (set (-std::numeric_limits<float>::infinity()))
   , point (hn::Zero (Ints()))
   {}
 
   HWY_INLINE void
-  look (V values, hn::Vec<Ints> points)
+  look (V values, I points)
   {
     const auto is_further = hn::Gt (values, value);
     value = hn::IfThenElse (is_further, values, value);
@@ -92,10 +88,8 @@ dropInsideHere (const float* octagon, float* xy, std::size_t size)
       const float *a = octagon + 2 * k, *b = octagon + 2 * ((k + 1) % 8);
       if (a[0] == b[0] && a[1] == b[1])
         continue;
-      const V left = hn::Mul (hn::Set (Floats(), b[0] - a[0]),
-                              hn::Sub (y, hn::Set (Floats(), a[1])));
-      const V right = hn::Mul (hn::Set (Floats(), b[1] - a[1]),
-                               hn::Sub (x, hn::Set (Floats(), a[0])));
+      const V left = hn::Mul (set (b[0] - a[0]), hn::Sub (y, set (a[1])));
+      const V right = hn::Mul (set (b[1] - a[1]), hn::Sub (x, set (a[0])));
       is_outside = hn::Or (is_outside, hn::Le (left, right));
     }
     if (hn::AllFalse (Floats(), is_outside))

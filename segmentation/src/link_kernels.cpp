@@ -24,7 +24,7 @@ linkRowHere (const PointRow& row,
 {
   const PlaneEquation up{limit.up.x(), limit.up.y(), limit.up.z(), 0.f};
   for (std::size_t block = 0; block < row.blocks(); ++block) {
-    if (blocks && !blocks[block])
+    if (!blocks[block])
       continue;
     for (std::size_t k = 0; k < PointRow::block_size; k += hn::Lanes (Floats())) {
       const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
@@ -37,11 +37,11 @@ linkRowHere (const PointRow& row,
           hn::Ge (rise, set (LinkLimit::min_rise)),
           hn::Mul (hn::Mul (set (LinkLimit::level_sigmas), sigma), rise),
           set (-1.f));
-      const V noise = hn::MulAdd (set (limit.sigmas), sigma, set (limit.constant));
+      const V noise = hn::Mul (set (limit.sigmas), sigma);
       const V slope = set (limit.slope);
       const V level_slope = hn::Max (slope, hn::Div (set (limit.level_slope), rise));
       const auto storeLinks = [&] (const Points& q, std::uint8_t* links) HWY_ATTR {
-        const Points way = difference (p, q);
+        const Points way = p - q;
         const Mask is_level = hn::Le (hn::Abs (dot (up, way)), same_height);
         const V far =
             hn::MulAdd (hn::IfThenElse (is_level, level_slope, slope), range, noise);

@@ -25,8 +25,6 @@ struct LinkLimit {
   /** The sine of the flattest angle at which level surfaces are seen, 9 degrees. */
   static constexpr float min_rise = 0.15f;
 
-  /** Metres. */
-  float constant = 0.f;
   /** Metres for each metre of range. */
   float slope = 0.f;
   /** Standard deviations of depth. */
@@ -49,14 +47,13 @@ struct LinkLimit {
     const bool is_level =
         rise >= min_rise && std::fabs (up.dot (way)) <= level_sigmas * sigma * rise;
     const float stretched = is_level ? std::max (slope, level_slope / rise) : slope;
-    const float limit = constant + sigmas * sigma + stretched * range;
+    const float limit = sigmas * sigma + stretched * range;
     return way.squaredNorm() <= limit * limit;
   }
 };
 
 /** Whether each point of a row is close to the one before, and to the one above it.
- * \param[in] blocks not 0 for the blocks of the row to look at, others are left alone;
- * null for all
+ * \param[in] blocks not 0 for the blocks of the row to look at, others are left alone
  */
 void
 linkRow (const PointRow& row,

@@ -5,8 +5,6 @@
 
 #include <pcl/segmentation/linked_runs.h>
 
-#include <algorithm>
-
 namespace pcl {
 namespace rgbd_planes {
 

@@ -81,8 +81,7 @@ ObjectClusters::measurePixelAngle()
 LinkLimit
 ObjectClusters::linkLimit() const
 {
-  return {0.f,
-          stretch * pixel_angle_,
+  return {stretch * pixel_angle_,
           parameters_.cluster_tolerance,
           parameters_.noise,
           level_stretch * pixel_angle_,

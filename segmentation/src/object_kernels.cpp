@@ -81,7 +81,7 @@ isSurelyOver (const Supports& planes, std::size_t number, const Points& p)
 }
 
 /** As placeRow(), for some points of a block of row \a v. */
-HWY_INLINE hn::Vec<Ints>
+HWY_INLINE I
 placesOf (const Points& p,
           int v,
           std::size_t block,

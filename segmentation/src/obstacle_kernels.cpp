@@ -107,8 +107,7 @@ classifyRowHere (const PointRow& row,
       const V far = hn::MulAdd (set (max_gap_sigmas), sigma, set (max_gap_m));
       const V limit = hn::Mul (far, far);
       const auto closeTo = [&] (const Points& q) {
-        return bitsOf (Floats(), hn::Le (squaredLength (difference (p, q)), limit))
-               << k;
+        return bitsOf (Floats(), hn::Le (squaredLength (p - q), limit)) << k;
       };
       to_left |= closeTo (load (row, i - 1));
       to_above |= closeTo (load (row_above, i));

@@ -21,11 +21,11 @@ namespace {
 struct Nearest {
   Points points;
   V range;
-  hn::Vec<Ints> sample;
+  I sample;
   /** The smallest number of standard deviations so far, a fraction but for a factor that
    * is the same for all planes: there are no divisions. */
   V numerator, denominator;
-  hn::Vec<Ints> label;
+  I label;
 
   HWY_INLINE void
   lookAt (const TilePlane& plane, const PlaneEquation& equation)
@@ -142,7 +142,7 @@ sumPointsHere (const PointBlock& points,
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Mask on =
         hn::RebindMask (Floats(), hn::Eq (loadInts (labels + i), setInts (label)));
-    const Points p = difference (load (points, i), origin);
+    const Points p = load (points, i) - origin;
     all.add ({hn::IfThenElseZero (on, p.x),
               hn::IfThenElseZero (on, p.y),
               hn::IfThenElseZero (on, p.z)},

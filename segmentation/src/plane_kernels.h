@@ -159,8 +159,8 @@ countSides (const PointBlock& points,
             const DepthNoise& noise,
             float max_sigmas);
 
-/** Labels anew the points of planes \a a and \a b that lie on both: by which one is nearer along their
- * viewing rays.
+/** Labels anew the points of planes \a a and \a b that lie on both: by which one is nearer
+ * along their viewing rays.
  * \param[in] seen which one they belong to
  */
 void

@@ -54,12 +54,14 @@ PlaneTracker::checkInput (const std::vector<ModelCoefficients>& model_coefficien
                           const PointCloud<Label>& labels) const
 {
   if (!model_coefficients.empty() && labels.empty()) {
-    PCL_ERROR ("[pcl::PlaneTracker::track] The planes have no labels.\n");
+    PCL_ERROR ("[pcl::PlaneTracker::track] The planes have no labels: pass those of "
+               "segment (models, inliers, labels).\n");
     return false;
   }
   if (labels.size() != static_cast<std::size_t> (labels.width) * labels.height) {
     PCL_ERROR (
-        "[pcl::PlaneTracker::track] %zu labels are no image of %u x %u pixels.\n",
+        "[pcl::PlaneTracker::track] %zu labels are no image of %u x %u pixels: pass "
+        "those of segment (models, inliers, labels).\n",
         labels.size(),
         labels.width,
         labels.height);
@@ -67,7 +69,8 @@ PlaneTracker::checkInput (const std::vector<ModelCoefficients>& model_coefficien
   }
   for (const auto& model : model_coefficients)
     if (model.values.size() != 4) {
-      PCL_ERROR ("[pcl::PlaneTracker::track] A plane has %zu coefficients, not 4.\n",
+      PCL_ERROR ("[pcl::PlaneTracker::track] A plane has %zu coefficients, not 4: pass "
+                 "the planes of segment (models, inliers, labels).\n",
                  model.values.size());
       return false;
     }

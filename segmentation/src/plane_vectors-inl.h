@@ -11,7 +11,7 @@
 #endif
 
 #include "plane_kernels.h"
-#include <hwy/highway.h>
+#include "vectors-inl.h"
 
 #include <pcl/segmentation/point_row.h>
 
@@ -23,28 +23,11 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+static_assert (PlaneSamples::tile_size % RowRing<float>::lanes == 0 &&
+                   PointRow::block_size % RowRing<float>::lanes == 0,
+               "tiles and blocks are whole vectors");
 
-using Floats = hn::CappedTag<float, PlaneSamples::tile_size>;
-using V = hn::Vec<Floats>;
-using Mask = hn::Mask<Floats>;
-using Ints = hn::RebindToSigned<Floats>;
-
-HWY_INLINE V
-set (float value)
-{
-  return hn::Set (Floats(), value);
-}
-
-HWY_INLINE V
-load (const float* from)
-{
-  return hn::LoadU (Floats(), from);
-}
-
-struct Points {
-  V x, y, z;
-};
+using Points = Vectors;
 
 HWY_INLINE Points
 load (const PointRow& row, std::ptrdiff_t i)
@@ -58,13 +41,13 @@ load (const PointBlock& points, std::size_t i)
   return {load (points.x + i), load (points.y + i), load (points.z + i)};
 }
 
-HWY_INLINE hn::Vec<Ints>
+HWY_INLINE I
 setInts (std::uint32_t value)
 {
   return hn::Set (Ints(), static_cast<std::int32_t> (value));
 }
 
-HWY_INLINE hn::Vec<Ints>
+HWY_INLINE I
 loadInts (const std::uint32_t* from)
 {
   return hn::BitCast (Ints(), hn::LoadU (hn::RebindToUnsigned<Floats>(), from));
@@ -79,21 +62,9 @@ dot (const PlaneEquation& plane, const Points& p)
 }
 
 HWY_INLINE V
-dot (const Points& p, const Points& q)
-{
-  return hn::MulAdd (p.x, q.x, hn::MulAdd (p.y, q.y, hn::Mul (p.z, q.z)));
-}
-
-HWY_INLINE V
 squaredLength (const Points& p)
 {
   return dot (p, p);
-}
-
-HWY_INLINE Points
-difference (const Points& p, const Points& q)
-{
-  return {hn::Sub (p.x, q.x), hn::Sub (p.y, q.y), hn::Sub (p.z, q.z)};
 }
 
 /** As DepthNoise::sigma(). */
@@ -159,14 +130,14 @@ bitsOf (D d, hn::Mask<D> mask)
   return bits;
 }
 
-HWY_INLINE hn::Vec<Ints>
+HWY_INLINE I
 intOf (Mask mask, int value)
 {
   return hn::IfThenElseZero (hn::RebindMask (Ints(), mask), hn::Set (Ints(), value));
 }
 
 HWY_INLINE void
-storeBytes (hn::Vec<Ints> values, std::uint8_t* to)
+storeBytes (I values, std::uint8_t* to)
 {
   const hn::Rebind<std::uint8_t, Floats> bytes;
   hn::StoreU (hn::DemoteTo (bytes, values), bytes, to);

@@ -59,10 +59,9 @@ relativePoints (const PlaneSamples& samples,
                 std::size_t i,
                 const double (&reference)[3])
 {
-  return difference (pointsAt (samples, i),
-                     {set (static_cast<float> (reference[0])),
-                      set (static_cast<float> (reference[1])),
-                      set (static_cast<float> (reference[2]))});
+  return pointsAt (samples, i) - Points{set (static_cast<float> (reference[0])),
+                                        set (static_cast<float> (reference[1])),
+                                        set (static_cast<float> (reference[2]))};
 }
 
 HWY_INLINE Mask

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 using pcl::rgbd_planes::ObstacleClass;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -128,7 +129,11 @@ TEST_F (ObstacleFilterTest, BadInputKeepsNothing)
   filter_.setClasses (classes_);
   EXPECT_EQ (kept().size(), 3u);
   filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{2, 12}));
+  testing::internal::CaptureStderr();
   EXPECT_TRUE (kept().empty());
+  const std::string error = testing::internal::GetCapturedStderr();
+  EXPECT_NE (error.find ("give indices from 0"), std::string::npos) << error;
+  EXPECT_EQ (error.find ("setClasses"), std::string::npos) << error;
 
   // Nor does a cloud that stays organized keep a point.
   filter_.setKeepOrganized (true);

@@ -751,11 +751,13 @@ TEST (ObstacleDetection, SettersRefuseWhatMakesNoSense)
   EXPECT_EQ (detection.getFloorHeightTolerance(), 0.05f);
   EXPECT_EQ (detection.getMinObstacleHeight(), 0.01f);
   EXPECT_EQ (detection.getMinDropDepth(), 0.03f);
-  detection.setFloorTolerances (static_cast<float> (M_PI), 0.05f);
-  EXPECT_FLOAT_EQ (detection.getFloorAngleTolerance(), static_cast<float> (M_PI));
-  detection.setFloorTolerances (0.3f, 0.f);
-  EXPECT_EQ (detection.getFloorAngleTolerance(), 0.3f);
-  EXPECT_EQ (detection.getFloorHeightTolerance(), 0.f);
+  constexpr auto right_angle = static_cast<float> (M_PI / 2.);
+  detection.setFloorTolerances (right_angle, 0.06f);
+  EXPECT_EQ (detection.getFloorAngleTolerance(), right_angle);
+  EXPECT_EQ (detection.getFloorHeightTolerance(), 0.06f);
+  detection.setFloorTolerances (1.6f, 0.f); // ceilings, and no floor at all
+  EXPECT_EQ (detection.getFloorAngleTolerance(), right_angle);
+  EXPECT_EQ (detection.getFloorHeightTolerance(), 0.06f);
 }
 
 TEST (ObstacleDetection, HeightsOfObstaclesAndDepthsOfDropsAreSettings)

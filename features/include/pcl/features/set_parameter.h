@@ -5,34 +5,46 @@
 
 #include <pcl/console/print.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
 
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief What setters of numbers do: \a parameter becomes \a value. One that is NaN or not
- * from 0 to \a max: an error message with the name of the setter, and the one before
- * stays. */
+/** \brief Whether a parameter may be 0. */
+enum class Zero { allowed, refused };
+
+/** \brief The \c max of setParameter() that refuses infinity only. */
+constexpr double any_finite = std::numeric_limits<float>::max();
+
+/** \brief What setters of numbers do: \a parameter becomes \a value. One that is NaN,
+ * negative, a 0 that is refused or more than \a max: an error message with the name of the
+ * setter, and the one before stays.
+ * \return whether \a parameter has become \a value
+ */
 template <typename T>
-void
+bool
 setParameter (const std::string& setter,
               double value,
               T& parameter,
+              Zero zero = Zero::allowed,
               double max = std::numeric_limits<double>::infinity())
 {
   // As floats: what was one is the limit that it was meant to be.
-  if (value >= 0. && static_cast<float> (value) <= static_cast<float> (max)) {
+  const auto number = static_cast<float> (value);
+  const bool may_be_zero = zero == Zero::allowed;
+  if ((may_be_zero ? value >= 0. : number > 0.f) &&
+      number <= static_cast<float> (max)) {
     parameter = static_cast<T> (value);
-    return;
+    return true;
   }
-  const std::string range = std::isinf (max) ? "or more" : "to " + std::to_string (max);
-  PCL_ERROR ("[pcl::%s] The value must be 0 %s, got %g. Keeping %g.\n",
+  PCL_ERROR ("[pcl::%s] The value must be %s 0 and at most %g, got %g. Keeping %g.\n",
              setter.c_str(),
-             range.c_str(),
+             may_be_zero ? "at least" : "more than",
+             max,
              value,
              static_cast<double> (parameter));
+  return false;
 }
 
 } // namespace rgbd_planes

@@ -36,13 +36,11 @@ struct TwoRunNormalParameters {
  * curvature of fitPlaneInTwoRuns; NaN where the point is missing, the radius is not
  * positive, or fewer than 3 neighbours, or only neighbours on a line, are inside. The
  * result does not depend on the number of threads.
- * \param[in] points the points whose
- * normals are wanted; height 1: unorganized
- * \param[in] indices those of them that are
+ * \param[in] points a height of 1: unorganized
+ * \param[in] indices the points whose normals are wanted
  * \param[in] surface the points that neighbours are taken from, usually \a points again
- * and necessarily so where the window size is set; height 1: unorganized
- * \return the
- * number of normals that are not NaN
+ * and necessarily so where the window size is set; a height of 1: unorganized
+ * \return the number of normals that are not NaN
  */
 PCL_RGBD_PLANES_EXPORTS std::size_t
 computeTwoRunNormals (const OrganizedPoints& points,

@@ -24,17 +24,15 @@ struct LocalPlane {
  *
  * The first run fits a plane to all neighbours. In the second one each of them has a
  * weight that falls with its distance d to the plane through the point itself with the
- * first normal, so that the other side of an edge counts for less: Tukey's biweight (1
- * - (d / 2.5 s)^2)^2, and 0 from 2.5 s on, where s is the root mean square of all d. Of
+ * first normal, so that the other side of an edge counts for less: Tukey's biweight
+ * (1 - (d / 2.5 s)^2)^2, and 0 from 2.5 s on, where s is the root mean square of all d. Of
  * Gaussian, Cauchy-like and biweight functions over s or over the median of |d|, it
  * keeps most of noisy creases and, with the scale it takes from the data, costs least
  * on noisy planes.
- * \param[in] neighbours their positions relative to the point, in any
- * unit; the point itself (0, 0, 0) is usually one of them
- * \param[out] plane the plane
- * of the second run
- * \return false if there are fewer than 3 neighbours, or they lie on
- * a line
+ * \param[in] neighbours their positions relative to the point, in any unit; the point
+ * itself (0, 0, 0) is usually one of them
+ * \param[out] plane the plane of the second run
+ * \return false if there are fewer than 3 neighbours, or they lie on a line
  */
 PCL_RGBD_PLANES_EXPORTS bool
 fitPlaneInTwoRuns (const std::vector<Eigen::Vector3f>& neighbours, LocalPlane& plane);

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <optional>
+#include <string>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -34,6 +35,13 @@ cameraToBaseFromFloor (const Eigen::Vector4f& floor);
 /** \brief Whether \a transform only turns and shifts, within 1e-3. */
 PCL_RGBD_PLANES_EXPORTS bool
 isRigid (const Eigen::Affine3f& transform);
+
+/** \brief What setters of poses do: \a transform becomes \a value. One that is not rigid: an
+ * error message with the name of the setter, and the one before stays. */
+PCL_RGBD_PLANES_EXPORTS void
+setTransform (const std::string& setter,
+              const Eigen::Affine3f& value,
+              Eigen::Affine3f& transform);
 
 } // namespace rgbd_planes
 } // namespace pcl

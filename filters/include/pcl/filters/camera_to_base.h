@@ -48,8 +48,6 @@ public:
   using ConstPtr = shared_ptr<const CameraToBase<PointT>>;
   using typename Filter<PointT>::PointCloud;
 
-  PCL_MAKE_ALIGNED_OPERATOR_NEW
-
   CameraToBase() { filter_name_ = "CameraToBase"; }
 
   /** \brief Declared so that moving copies: what was moved from can be used on. */

@@ -8,7 +8,6 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/plane_points.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <cstddef>

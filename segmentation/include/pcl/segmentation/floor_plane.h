@@ -6,6 +6,7 @@
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/filters/plane_points.h>
 
 #include <Eigen/Geometry>
 
@@ -21,7 +22,7 @@ namespace rgbd_planes {
 /** \brief The planes of a frame, as the segmentation gives them. */
 struct LabelledPlanes {
   /** a, b, c, d of each plane in the camera frame, unit normals that face the camera. */
-  std::vector<Eigen::Vector4f> coefficients;
+  PlaneVectors coefficients;
   /** The plane of point i is labels[i * stride]; others lie on none. */
   const std::uint32_t* labels = nullptr;
   std::size_t stride = 0;

@@ -33,12 +33,12 @@ pointsOf (const std::vector<PointRun>& runs)
 
 /** \brief What runs are made of: a bit for each point of a block of a row. */
 struct RunBits {
-  std::uint16_t inside = 0; /**< points that are of a run */
-  std::uint16_t linked =
-      0; /**< those of them that go on with that of the point before */
-  std::uint16_t to_above =
-      0; /**< points that hang together with that above, if both are
-                               * of runs */
+  /** Points that are of a run. */
+  std::uint16_t inside = 0;
+  /** Those of them that go on with the run of the point before. */
+  std::uint16_t linked = 0;
+  /** Points that hang together with the one above, if both are of runs. */
+  std::uint16_t to_above = 0;
 };
 
 /** \brief Runs of points that hang together, and which of them hang together from row to row,

@@ -45,9 +45,9 @@ namespace pcl {
  * point from any estimator. Points or normals with NaN or Inf, and points (0, 0, 0), are left
  * out. With indices, only these points are segmented. Output: planes by decreasing number of
  * points, with coefficients a, b, c, d such that a x + b y + c z + d = 0, (a, b, c) of unit
- * length, towards the sensor: d >= 0 where that is at the origin. Outputs are replaced, not appended to, and carry the
- * header of the input; their memory is used again, so that frames like the one before
- * allocate none.
+ * length, towards the sensor: d >= 0 where that is at the origin. Outputs are replaced, not
+ * appended to, and carry the header of the input; their memory is used again, so that frames
+ * like the one before allocate none.
  *
  * A null, empty or unorganized cloud, normals that are missing or of another size, or
  * an index outside of the cloud: an error message and empty outputs.
@@ -155,14 +155,16 @@ public:
 
   /** \brief Planes are dropped as parts of uneven surfaces, such as clothes, where a smaller
    * share of the normals of their points is near their own, and the points are farther off
-   * than on flat surfaces; 0 to 1 (others: an error message), default 0.75, 0 keeps all. Strips more than five times
-   * as long as wide are kept: around them, normals are averages with what lies beside. */
+   * than on flat surfaces; 0 to 1 (others: an error message), default 0.75, 0 keeps all.
+   * Strips more than five times as long as wide are kept: around them, normals are averages
+   * with what lies beside. */
   void
   setMinimumNearNormals (double share)
   {
     rgbd_planes::setParameter (getClassName() + "::setMinimumNearNormals",
                                share,
                                parameters_.min_near_normals,
+                               rgbd_planes::Zero::allowed,
                                1.);
   }
 

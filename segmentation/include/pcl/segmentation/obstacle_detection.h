@@ -67,8 +67,6 @@ public:
   using ScanLimits = rgbd_planes::ScanLimits;
   using VirtualScan = rgbd_planes::VirtualScan;
 
-  PCL_MAKE_ALIGNED_OPERATOR_NEW
-
   /** \brief Declared so that moving copies: what was moved from can be used on. */
   ~ObstacleDetection() override = default;
 
@@ -109,15 +107,17 @@ public:
   }
 
   /** \brief How far the normal of the floor may be from z of the base frame, radians from
-   * 0 to pi, default 0.17, and it from z = 0, in the mean of its points or below the origin of
-   * the base frame, metres, 0 or more, default 0.05; what is nearer to z = 0 is preferred.
+   * 0 to pi / 2, default 0.17, and it from z = 0, in the mean of its points or below the origin
+   * of the base frame, metres, more than 0, default 0.05; what is nearer to z = 0 is preferred.
    * Others are refused with an error message. */
   void
   setFloorTolerances (float angle, float height)
   {
     const std::string setter = getClassName() + "::setFloorTolerances";
-    rgbd_planes::setParameter (setter, angle, parameters_.floor_angle, M_PI);
-    rgbd_planes::setParameter (setter, height, parameters_.floor_height);
+    rgbd_planes::setParameter (
+        setter, angle, parameters_.floor_angle, rgbd_planes::Zero::allowed, M_PI / 2.);
+    rgbd_planes::setParameter (
+        setter, height, parameters_.floor_height, rgbd_planes::Zero::refused);
   }
 
   float

@@ -283,10 +283,6 @@ protected:
   }
 
 private:
-  /** \brief Sets \a parameter to \a value, or says why not. */
-  void
-  setLength (const char* setter, bool may_be_zero, double value, float& parameter);
-
   void
   setRange (const char* setter, double low, double high, float& min, float& max);
 

@@ -8,6 +8,7 @@
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/features/set_parameter.h>
 
 namespace pcl {
 
@@ -16,14 +17,11 @@ void
 IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setNormalSmoothingSize (
     float normal_smoothing_size)
 {
-  if (!(normal_smoothing_size > 0.f)) {
-    PCL_ERROR ("[pcl::%s::setNormalSmoothingSize] The size must be more than 0 pixels, "
-               "got %g. Nothing changed.\n",
-               feature_name_.c_str(),
-               normal_smoothing_size);
-    return;
-  }
-  parameters_.smoothing_width = parameters_.smoothing_height = normal_smoothing_size;
+  if (rgbd_planes::setParameter (feature_name_ + "::setNormalSmoothingSize",
+                                 normal_smoothing_size,
+                                 parameters_.smoothing_width,
+                                 rgbd_planes::Zero::refused))
+    parameters_.smoothing_height = normal_smoothing_size;
 }
 
 template <typename PointInT, typename PointOutT>
@@ -50,23 +48,16 @@ void
 IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setMaxDepthChangeFactor (
     float max_depth_change_factor)
 {
-  if (!(max_depth_change_factor >= 0.f)) {
-    PCL_ERROR (
-        "[pcl::%s::setMaxDepthChangeFactor] The factor must not be negative, got %g. "
-        "Keeping %g.\n",
-        feature_name_.c_str(),
-        max_depth_change_factor,
-        parameters_.max_depth_change_factor);
-    return;
-  }
-  parameters_.max_depth_change_factor = max_depth_change_factor;
+  rgbd_planes::setParameter (feature_name_ + "::setMaxDepthChangeFactor",
+                             max_depth_change_factor,
+                             parameters_.max_depth_change_factor);
 }
 
 template <typename PointInT, typename PointOutT>
 std::string
 IntegralImageTangentNormalEstimation<PointInT, PointOutT>::complaint() const
 {
-  return rgbd_planes::isImage (*input_) ? "" : rgbd_planes::notAnImage (*input_);
+  return rgbd_planes::faultOfImage (*input_);
 }
 
 template <typename PointInT, typename PointOutT>

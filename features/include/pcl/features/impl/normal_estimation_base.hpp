@@ -40,27 +40,19 @@ template <typename PointInT, typename PointOutT>
 bool
 NormalEstimationBase<PointInT, PointOutT>::initCompute()
 {
-  const std::string wrong =
+  std::string fault =
       input_ ? complaint() : "No input cloud: call setInputCloud first.";
-  if (!wrong.empty()) {
-    PCL_ERROR ("[pcl::%s] %s\n", feature_name_.c_str(), wrong.c_str());
+  if (fault.empty() && forIndices())
+    fault = faultOfIndices (indices_.get(), input_->size());
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", feature_name_.c_str(), fault.c_str());
     return false;
   }
   // Copies of an estimator share the indices that PCL makes up for whole clouds; they
   // would resize them under each other's feet.
   if (fake_indices_ && indices_.use_count() > 1)
     indices_.reset();
-  if (!PCLBase<PointInT>::initCompute())
-    return false;
-  if (forIndices() && !indicesInside (*indices_, input_->size())) {
-    PCL_ERROR (
-        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
-        "%zu.\n",
-        feature_name_.c_str(),
-        input_->size() - 1);
-    return false;
-  }
-  return true;
+  return PCLBase<PointInT>::initCompute();
 }
 
 template <typename PointInT, typename PointOutT>

@@ -57,27 +57,20 @@ viewNormals (pcl::PointCloud<PointT>& cloud)
           std::is_same_v<PointT, pcl::Normal>};
 }
 
-/** \brief Whether \a cloud is an image of points, and holds all of them. */
-template <typename PointT>
-bool
-isImage (const pcl::PointCloud<PointT>& cloud)
-{
-  return cloud.isOrganized() && !cloud.empty() &&
-         cloud.size() == std::size_t{cloud.width} * cloud.height;
-}
-
-/** \brief What to tell a user whose \a cloud is no image. */
+/** \brief What to tell a user whose \a cloud is not an image of points that holds all of
+ * them; empty if it is. */
 template <typename PointT>
 std::string
-notAnImage (const pcl::PointCloud<PointT>& cloud)
+faultOfImage (const pcl::PointCloud<PointT>& cloud)
 {
+  if (cloud.isOrganized() && !cloud.empty() &&
+      cloud.size() == std::size_t{cloud.width} * cloud.height)
+    return {};
   return "The input cloud has " + std::to_string (cloud.size()) + " points, width " +
          std::to_string (cloud.width) + " and height " + std::to_string (cloud.height) +
          ", but must be organized (an image of points): ask your camera driver for "
-         "ordered "
-         "point clouds, and keep NaN points, for filters that remove points also "
-         "remove "
-         "the organization.";
+         "ordered point clouds, and keep NaN points, for filters that remove points "
+         "also remove the organization.";
 }
 
 /** \brief Whether every index is one of a cloud of \a size points. */
@@ -95,6 +88,29 @@ indicesInside (const pcl::Indices& indices, std::size_t size)
   for (const pcl::index_t index : indices)
     bits |= static_cast<Number> (index) | (last - static_cast<Number> (index));
   return bits <= highest;
+}
+
+/** \brief What to tell a user whose \a indices are not all of a cloud of \a size points;
+ * empty if they are, and without indices. */
+inline std::string
+faultOfIndices (const pcl::Indices* indices, std::size_t size)
+{
+  if (!indices || indicesInside (*indices, size))
+    return {};
+  return "An index lies outside of the input cloud: give indices from 0 to less than " +
+         std::to_string (size) + ".";
+}
+
+/** \brief What to tell a user whose \a cloud is missing or no image, or who gave \a indices
+ * outside of it; empty if all is well. */
+template <typename PointT>
+std::string
+faultOfInput (const pcl::PointCloud<PointT>* cloud, const pcl::Indices* indices)
+{
+  if (!cloud)
+    return "No input cloud: call setInputCloud first.";
+  const std::string fault = faultOfImage (*cloud);
+  return fault.empty() ? faultOfIndices (indices, cloud->size()) : fault;
 }
 
 /** \brief Sets \a selected to 1 for the points of \a indices and 0 for the others of \a size

@@ -10,6 +10,7 @@
 #include <pcl/type_traits.h>
 
 #include <limits>
+#include <string>
 
 namespace pcl {
 
@@ -17,13 +18,8 @@ template <typename PointT>
 void
 CameraToBase<PointT>::setTransform (const Eigen::Affine3f& camera_to_base)
 {
-  if (!rgbd_planes::isRigid (camera_to_base)) {
-    PCL_ERROR ("[pcl::%s::setTransform] The transform must only turn and shift: give a "
-               "rotation matrix and a finite translation. Keeping the one before.\n",
-               getClassName().c_str());
-    return;
-  }
-  transform_ = camera_to_base;
+  rgbd_planes::setTransform (
+      getClassName() + "::setTransform", camera_to_base, transform_);
 }
 
 template <typename PointT>
@@ -62,11 +58,10 @@ void
 CameraToBase<PointT>::applyFilter (PointCloud& output)
 {
   const bool for_indices = use_indices_ && !fake_indices_;
-  if (for_indices && !rgbd_planes::indicesInside (*indices_, input_->size())) {
-    PCL_ERROR ("[pcl::%s] An index lies outside of the input cloud: give indices less "
-               "than %zu.\n",
-               getClassName().c_str(),
-               input_->size());
+  const std::string fault = rgbd_planes::faultOfIndices (
+      for_indices ? indices_.get() : nullptr, input_->size());
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
     output.clear();
     return;
   }

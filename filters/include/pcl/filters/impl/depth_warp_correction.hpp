@@ -67,12 +67,11 @@ template <typename PointT>
 bool
 DepthWarpCorrection<PointT>::setWarp (const pcl::PointCloud<pcl::Intensity>& warp)
 {
-  std::string fault;
-  if (!rgbd_planes::isImage (warp))
-    fault = rgbd_planes::notAnImage (warp);
-  else if (!std::all_of (warp.begin(), warp.end(), [] (const pcl::Intensity& point) {
-             return std::isfinite (point.intensity);
-           }))
+  const auto isFinite = [] (const pcl::Intensity& point) {
+    return std::isfinite (point.intensity);
+  };
+  std::string fault = rgbd_planes::faultOfImage (warp);
+  if (fault.empty() && !std::all_of (warp.begin(), warp.end(), isFinite))
     fault = "The warp has values that are not finite: set what getWarp gave.";
   if (!fault.empty()) {
     PCL_ERROR ("[pcl::%s::setWarp] %s\n", getClassName().c_str(), fault.c_str());
@@ -89,8 +88,9 @@ template <typename PointT>
 std::string
 DepthWarpCorrection<PointT>::faultOf (const PointCloud& cloud) const
 {
-  if (!rgbd_planes::isImage (cloud))
-    return rgbd_planes::notAnImage (cloud);
+  const std::string fault = rgbd_planes::faultOfImage (cloud);
+  if (!fault.empty())
+    return fault;
   if (!cloud.sensor_origin_.template head<3>().isZero (0.f))
     return "The cloud is in another frame than that of the camera, for its "
            "sensor_origin_ is not 0: correct it before you transform it.";
@@ -111,9 +111,8 @@ DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
   if (fault.empty() && !warp_.isKnown())
     fault =
         "There are no frames yet: pass their planes to addFrame, or a warp to setWarp.";
-  if (fault.empty() && !rgbd_planes::indicesInside (*indices_, input_->size()))
-    fault = "An index is outside of the input cloud of " +
-            std::to_string (input_->size()) + " points.";
+  if (fault.empty())
+    fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
   if (!fault.empty()) {
     PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
     output.clear();

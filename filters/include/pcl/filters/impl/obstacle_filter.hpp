@@ -10,6 +10,7 @@
 #include <pcl/filters/obstacle_filter.h>
 
 #include <numeric>
+#include <string>
 
 namespace pcl {
 
@@ -19,15 +20,15 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
 {
   indices.clear();
   removed_indices_->clear();
-  const bool is_inside = rgbd_planes::indicesInside (*indices_, input_->size());
-  const bool has_classes = classes_ && classes_->size() == input_->size();
-  if (!is_inside || !has_classes) {
-    PCL_ERROR ("[pcl::%s] The input has %zu points and %zu classes%s: pass the classes "
-               "of ObstacleDetection::detect for this cloud to setClasses.\n",
-               getClassName().c_str(),
-               input_->size(),
-               classes_ ? classes_->size() : std::size_t{0},
-               is_inside ? "" : ", and an index lies outside of it");
+  std::string fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
+  const std::size_t classes = classes_ ? classes_->size() : 0;
+  if (fault.empty() && classes != input_->size())
+    fault = "The input has " + std::to_string (input_->size()) + " points and " +
+            std::to_string (classes) +
+            " classes: pass the classes of ObstacleDetection::detect for this cloud to "
+            "setClasses.";
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
     if (extract_removed_indices_) {
       removed_indices_->resize (input_->size());
       std::iota (removed_indices_->begin(), removed_indices_->end(), 0);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pcl {
 
@@ -18,17 +19,11 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setAngularThreshold (
     double angular_threshold)
 {
-  if (!(angular_threshold > 0. &&
-        static_cast<float> (angular_threshold) <= static_cast<float> (M_PI / 4.))) {
-    PCL_ERROR (
-        "[pcl::%s::setAngularThreshold] The threshold must be more than 0 and at "
-        "most pi / 4 radians, got %g. Keeping %g.\n",
-        getClassName().c_str(),
-        angular_threshold,
-        parameters_.angular_threshold);
-    return;
-  }
-  parameters_.angular_threshold = angular_threshold;
+  rgbd_planes::setParameter (getClassName() + "::setAngularThreshold",
+                             angular_threshold,
+                             parameters_.angular_threshold,
+                             rgbd_planes::Zero::refused,
+                             M_PI / 4.);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -36,51 +31,27 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDistanceThreshold (
     double distance_threshold)
 {
-  if (!(distance_threshold > 0. && std::isfinite (distance_threshold))) {
-    PCL_ERROR (
-        "[pcl::%s::setDistanceThreshold] The threshold must be more than 0 m, got "
-        "%g. Keeping %g.\n",
-        getClassName().c_str(),
-        distance_threshold,
-        parameters_.distance_threshold);
-    return;
-  }
-  parameters_.distance_threshold = distance_threshold;
+  rgbd_planes::setParameter (getClassName() + "::setDistanceThreshold",
+                             distance_threshold,
+                             parameters_.distance_threshold,
+                             rgbd_planes::Zero::refused,
+                             rgbd_planes::any_finite);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
 bool
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 {
-  if (!input_) {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n",
-               getClassName().c_str());
-    return false;
-  }
-  if (!rgbd_planes::isImage (*input_)) {
-    PCL_ERROR ("[pcl::%s] %s\n",
-               getClassName().c_str(),
-               rgbd_planes::notAnImage (*input_).c_str());
-    return false;
-  }
-  if (!normals_ || normals_->size() != input_->size()) {
-    PCL_ERROR (
-        "[pcl::%s] The input has %zu points and %zu normals: compute a normal for "
-        "each point of the whole cloud and pass them to setInputNormals.\n",
-        getClassName().c_str(),
-        input_->size(),
-        normals_ ? normals_->size() : std::size_t{0});
-    return false;
-  }
-  if (indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) {
-    PCL_ERROR (
-        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 to "
-        "%zu.\n",
-        getClassName().c_str(),
-        input_->size() - 1);
-    return false;
-  }
-  return true;
+  std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
+  const std::size_t normals = normals_ ? normals_->size() : 0;
+  if (fault.empty() && normals != input_->size())
+    fault = "The input has " + std::to_string (input_->size()) + " points and " +
+            std::to_string (normals) +
+            " normals: compute a normal for each point of the whole cloud and pass "
+            "them to setInputNormals.";
+  if (!fault.empty())
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+  return fault.empty();
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

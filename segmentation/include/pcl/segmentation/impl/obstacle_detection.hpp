@@ -31,14 +31,8 @@ void
 ObstacleDetection<PointT, PointNT, PointLT>::setCameraToBase (
     const Eigen::Affine3f& camera_to_base)
 {
-  if (!rgbd_planes::isRigid (camera_to_base)) {
-    PCL_ERROR (
-        "[pcl::%s::setCameraToBase] The transform must only turn and shift: give a "
-        "rotation matrix and a finite translation. Keeping the one before.\n",
-        getClassName().c_str());
-    return;
-  }
-  parameters_.camera_to_base = camera_to_base;
+  rgbd_planes::setTransform (
+      getClassName() + "::setCameraToBase", camera_to_base, parameters_.camera_to_base);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -74,39 +68,19 @@ template <typename PointT, typename PointNT, typename PointLT>
 bool
 ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
 {
-  if (!input_) {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n",
-               getClassName().c_str());
-    return false;
-  }
-  if (!rgbd_planes::isImage (*input_)) {
-    PCL_ERROR ("[pcl::%s] %s\n",
-               getClassName().c_str(),
-               rgbd_planes::notAnImage (*input_).c_str());
-    return false;
-  }
+  std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
+  if (fault.empty())
+    fault = rgbd_planes::faultOfIndices (excluded_.get(), input_->size());
   const std::size_t normals = normals_ ? normals_->size() : 0;
   const std::size_t labels = labels_ ? labels_->size() : 0;
-  if (normals != input_->size() || labels != input_->size()) {
-    PCL_ERROR ("[pcl::%s] The input has %zu points, %zu normals and %zu labels: pass a "
-               "normal and a label for each point of the whole cloud to "
-               "setInputNormals and setInputPlanes.\n",
-               getClassName().c_str(),
-               input_->size(),
-               normals,
-               labels);
-    return false;
-  }
-  if ((indices_ && !rgbd_planes::indicesInside (*indices_, input_->size())) ||
-      (excluded_ && !rgbd_planes::indicesInside (*excluded_, input_->size()))) {
-    PCL_ERROR (
-        "[pcl::%s] An index lies outside of the input cloud: give indices from 0 "
-        "to %zu.\n",
-        getClassName().c_str(),
-        input_->size() - 1);
-    return false;
-  }
-  return true;
+  if (fault.empty() && (normals != input_->size() || labels != input_->size()))
+    fault = "The input has " + std::to_string (input_->size()) + " points, " +
+            std::to_string (normals) + " normals and " + std::to_string (labels) +
+            " labels: pass a normal and a label for each point of the whole cloud to "
+            "setInputNormals and setInputPlanes.";
+  if (!fault.empty())
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+  return fault.empty();
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pcl {
 
@@ -19,32 +20,8 @@ void
 SupportedObjectExtraction<PointT, PointNT>::setBaseTransform (
     const Eigen::Affine3f& camera_to_base)
 {
-  if (!rgbd_planes::isRigid (camera_to_base)) {
-    PCL_ERROR ("[pcl::%s::setBaseTransform] The transform must be a rotation and a "
-               "translation, without NaN. Keeping the last one.\n",
-               getClassName().c_str());
-    return;
-  }
-  camera_to_base_ = camera_to_base;
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setLength (const char* setter,
-                                                       bool may_be_zero,
-                                                       double value,
-                                                       float& parameter)
-{
-  if (std::isfinite (value) && (value > 0. || (may_be_zero && value == 0.))) {
-    parameter = static_cast<float> (value);
-    return;
-  }
-  PCL_ERROR ("[pcl::%s::%s] The value must be %s, got %g. Keeping %g.\n",
-             getClassName().c_str(),
-             setter,
-             may_be_zero ? "0 or more" : "more than 0",
-             value,
-             static_cast<double> (parameter));
+  rgbd_planes::setTransform (
+      getClassName() + "::setBaseTransform", camera_to_base, camera_to_base_);
 }
 
 template <typename PointT, typename PointNT>
@@ -75,6 +52,7 @@ SupportedObjectExtraction<PointT, PointNT>::setHorizontalTolerance (double toler
   rgbd_planes::setParameter (getClassName() + "::setHorizontalTolerance",
                              tolerance,
                              parameters_.horizontal_tolerance,
+                             rgbd_planes::Zero::allowed,
                              M_PI / 2.);
 }
 
@@ -94,28 +72,44 @@ template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::setMaxObjectHeight (double height)
 {
-  setLength ("setMaxObjectHeight", false, height, parameters_.max_object_height);
+  rgbd_planes::setParameter (getClassName() + "::setMaxObjectHeight",
+                             height,
+                             parameters_.max_object_height,
+                             rgbd_planes::Zero::refused,
+                             rgbd_planes::any_finite);
 }
 
 template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::setMinObjectHeight (double height)
 {
-  setLength ("setMinObjectHeight", false, height, parameters_.min_object_height);
+  rgbd_planes::setParameter (getClassName() + "::setMinObjectHeight",
+                             height,
+                             parameters_.min_object_height,
+                             rgbd_planes::Zero::refused,
+                             rgbd_planes::any_finite);
 }
 
 template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::setHullTolerance (double tolerance)
 {
-  setLength ("setHullTolerance", true, tolerance, parameters_.hull_tolerance);
+  rgbd_planes::setParameter (getClassName() + "::setHullTolerance",
+                             tolerance,
+                             parameters_.hull_tolerance,
+                             rgbd_planes::Zero::allowed,
+                             rgbd_planes::any_finite);
 }
 
 template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::setClusterTolerance (double sigmas)
 {
-  setLength ("setClusterTolerance", true, sigmas, parameters_.cluster_tolerance);
+  rgbd_planes::setParameter (getClassName() + "::setClusterTolerance",
+                             sigmas,
+                             parameters_.cluster_tolerance,
+                             rgbd_planes::Zero::allowed,
+                             rgbd_planes::any_finite);
 }
 
 template <typename PointT, typename PointNT>
@@ -140,17 +134,14 @@ SupportedObjectExtraction<PointT, PointNT>::checkInput (
     PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), what.c_str());
     return false;
   };
-  if (!input_)
-    return complain ("No input cloud: call setInputCloud first.");
-  if (!rgbd_planes::isImage (*input_))
-    return complain (rgbd_planes::notAnImage (*input_));
+  const std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
+  if (!fault.empty())
+    return complain (fault);
   if (parameters_.split_at_concave_edges &&
       (!normals_ || normals_->size() != input_->size()))
     return complain (
         "Splitting at concave edges needs a normal for each point of the whole "
         "cloud: pass them to setInputNormals.");
-  if (indices_ && !rgbd_planes::indicesInside (*indices_, input_->size()))
-    return complain ("An index lies outside of the input cloud.");
   if (model_coefficients.size() != inlier_indices.size())
     return complain ("There are " + std::to_string (model_coefficients.size()) +
                      " planes and inliers of " +
