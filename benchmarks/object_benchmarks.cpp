@@ -5,6 +5,7 @@
 
 #include <pcl/apps/detection_pipeline.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/min_points.h>
 #include <pcl/apps/object_methods.h>
 
 namespace pcl {

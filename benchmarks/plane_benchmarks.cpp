@@ -4,6 +4,7 @@
 #include "benchmarks.h"
 
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/min_points.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
@@ -14,19 +15,12 @@ namespace rgbd_planes {
 
 namespace {
 
-/** 1000 points at VGA, as in pcl_evaluate_planes. */
-unsigned
-minInliers (const Cloud& cloud)
-{
-  return static_cast<unsigned> (cloud.size() * 1000 / (640 * 480));
-}
-
 void
 normalSpace (benchmark::State& state, const Clouds& clouds)
 {
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-  segmentation.setMinInliers (minInliers (*clouds.front()));
+  segmentation.setMinInliers (minPlanePoints (clouds.front()->size()));
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   std::vector<pcl::ModelCoefficients> models;
   std::vector<pcl::PointIndices> inliers;
@@ -56,7 +50,7 @@ organizedMultiPlane (benchmark::State& state, const Clouds& clouds)
   estimation.setNormalSmoothingSize (10.f);
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
       segmentation;
-  segmentation.setMinInliers (minInliers (*clouds.front()));
+  segmentation.setMinInliers (minPlanePoints (clouds.front()->size()));
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   std::vector<pcl::ModelCoefficients> models;
   std::vector<pcl::PointIndices> inliers;

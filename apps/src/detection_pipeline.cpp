@@ -2,9 +2,8 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/detection_pipeline.h>
+#include <pcl/apps/min_points.h>
 #include <pcl/apps/object_methods.h>
-
-#include <algorithm>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -18,8 +17,7 @@ DetectionPipeline::findPlanes (const Cloud::ConstPtr& cloud,
   estimation_.compute (*normals_);
   segmentation_.setInputCloud (cloud);
   segmentation_.setInputNormals (normals_);
-  segmentation_.setMinInliers (static_cast<unsigned> (
-      std::max<std::size_t> (cloud->size() * 1000 / (640 * 480), 3)));
+  segmentation_.setMinInliers (minPlanePoints (cloud->size()));
   segmentation_.segment (models_, inliers_, *labels_);
 
   detection_.setCameraToBase (setPose (camera_to_base, models_, extraction_));

@@ -4,7 +4,7 @@
 #include <pcl/apps/depth_correction.h>
 #include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/frame_segmenter.h>
-#include <pcl/apps/object_methods.h>
+#include <pcl/apps/min_points.h>
 
 #include <algorithm>
 #include <chrono>
@@ -52,9 +52,7 @@ summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
 unsigned
 minInliers (const SegmenterOptions& options, std::size_t pixels)
 {
-  constexpr std::size_t vga = 640 * 480, fewest = 3;
-  const auto in_proportion = std::max ((1000 * pixels + vga / 2) / vga, fewest);
-  return options.min_inliers.value_or (static_cast<unsigned> (in_proportion));
+  return options.min_inliers.value_or (minPlanePoints (pixels));
 }
 
 std::string

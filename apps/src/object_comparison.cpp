@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/min_points.h>
 #include <pcl/apps/object_comparison.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/common/io.h>

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/estimated_pose.h>
+#include <pcl/apps/min_points.h>
 #include <pcl/apps/object_methods.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/lccp_segmentation.h>
@@ -39,8 +40,7 @@ public:
     const auto start = Clock::now();
     estimation_.setInputCloud (input.cloud);
     estimation_.compute (*normals_);
-    segmentation_.setMinInliers (static_cast<unsigned> (
-        std::max<std::size_t> (input.cloud->size() * 1000 / (640 * 480), 3)));
+    segmentation_.setMinInliers (minPlanePoints (input.cloud->size()));
     segmentation_.setInputCloud (input.cloud);
     segmentation_.setInputNormals (normals_);
     segmentation_.segment (models_, inliers_);
@@ -98,13 +98,6 @@ segmentWithLccp (const Cloud::ConstPtr& cloud)
 }
 
 } // namespace
-
-unsigned
-minObjectPoints (std::size_t pixels)
-{
-  constexpr std::size_t fewest = 20;
-  return static_cast<unsigned> (std::max (pixels * 40 / (640 * 480), fewest));
-}
 
 Eigen::Affine3f
 setPose (const std::optional<Eigen::Affine3f>& camera_to_base,

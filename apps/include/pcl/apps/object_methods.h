@@ -11,7 +11,6 @@
 
 #include <Eigen/Geometry>
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,11 +38,6 @@ struct ObjectMethod {
   std::function<double (const ObjectInput& input, std::vector<FoundObject>& found)>
       compute;
 };
-
-/** \brief The fewest points of an object in an image of so many pixels: 40 of 640 x 480, in
- * proportion for others, and no fewer than 20. */
-unsigned
-minObjectPoints (std::size_t pixels);
 
 /** \brief Sets where the camera is, and at which heights planes are looked for: at all, if
  * it is only estimated.
