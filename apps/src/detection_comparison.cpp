@@ -84,10 +84,7 @@ DetectionComparison::add (const Frame& frame)
     run.points = cloud->size();
     results_[i].milliseconds.push_back (
         detect (cloud, frame.camera_to_base, run.pipeline));
-    std::vector<FoundObject> found;
-    for (const auto& object : run.pipeline.objects())
-      found.push_back ({object.indices.indices, object.box_size, object.graspable});
-    scoreObjects (frame, run.step, found, results_[i].objects);
+    scoreObjects (frame, run.step, run.pipeline.objects(), results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);
       const auto numbers = subsampleNumbers (obstacles, full.width, run.step);
