@@ -5,10 +5,9 @@
 
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/min_points.h>
-#include <pcl/features/integral_image_normal.h>
+#include <pcl/apps/plane_methods.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
-#include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -43,30 +42,11 @@ normalSpace (benchmark::State& state, const Clouds& clouds)
 void
 organizedMultiPlane (benchmark::State& state, const Clouds& clouds)
 {
-  using Estimation = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
-  using Region = pcl::PlanarRegion<pcl::PointXYZ>;
-  Estimation estimation;
-  estimation.setNormalEstimationMethod (Estimation::AVERAGE_3D_GRADIENT);
-  estimation.setNormalSmoothingSize (10.f);
-  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
-      segmentation;
-  segmentation.setMinInliers (minPlanePoints (clouds.front()->size()));
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers;
+  const auto find = organizedMultiPlanes();
+  const unsigned min_inliers = minPlanePoints (clouds.front()->size());
+  SegmentedPlanes planes;
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
-    estimation.setInputCloud (cloud);
-    estimation.compute (*normals);
-    segmentation.setInputCloud (cloud);
-    segmentation.setInputNormals (normals);
-    // It appends to its outputs, and reads past the end of used labels.
-    models.clear();
-    inliers.clear();
-    std::vector<Region, Eigen::aligned_allocator<Region>> regions;
-    auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-    std::vector<pcl::PointIndices> label_indices, boundary_indices;
-    segmentation.segmentAndRefine (
-        regions, models, inliers, labels, label_indices, boundary_indices);
+    find (cloud, min_inliers, planes);
   });
 }
 
