@@ -252,6 +252,7 @@ TEST_F (SegmentPlanes, FrameWithoutDepthHasNoPlanes)
   writePng (folder_ / "dark.png", 160, std::vector<std::uint16_t> (160 * 120));
   const Outcome result = run ("dark.png --output out" + camera_);
   ASSERT_EQ (result.code, 0) << result.err;
+  EXPECT_NE (result.out.find (" 0 points measured, 0.0 %"), std::string::npos);
   expectConsistent (folder_ / "out");
 }
 
