@@ -5,28 +5,15 @@
 #include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/min_points.h>
+#include <pcl/apps/stopwatch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-class Stopwatch {
-public:
-  double
-  milliseconds () const
-  {
-    return std::chrono::duration<double, std::milli> (Clock::now() - start_).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 PlaneSummary
 summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,

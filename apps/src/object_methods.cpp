@@ -4,11 +4,11 @@
 #include <pcl/apps/detection_pipeline.h>
 #include <pcl/apps/min_points.h>
 #include <pcl/apps/object_methods.h>
+#include <pcl/apps/stopwatch.h>
 #include <pcl/segmentation/lccp_segmentation.h>
 #include <pcl/segmentation/supervoxel_clustering.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <memory>
 
@@ -18,13 +18,6 @@ namespace rgbd_planes {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Clock = std::chrono::steady_clock;
-
-double
-millisecondsSince (Clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli> (Clock::now() - start).count();
-}
 
 /** The segment of each point, 0 for none. */
 pcl::PointCloud<pcl::PointXYZL>::Ptr
@@ -66,10 +59,10 @@ objectMethods ()
     methods.push_back (
         {split ? "supported_split" : "supported",
          [pipeline] (const ObjectInput& input, std::vector<FoundObject>& found) {
-           const auto start = Clock::now();
+           const Stopwatch watch;
            pipeline->findPlanes (input.cloud, input.camera_to_base);
            pipeline->findObjects();
-           const double milliseconds = millisecondsSince (start);
+           const double milliseconds = watch.milliseconds();
            found = pipeline->objects();
            return milliseconds;
          }});
@@ -81,9 +74,9 @@ ObjectMethod
 lccpMethod ()
 {
   const auto compute = [] (const ObjectInput& input, std::vector<FoundObject>& found) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const auto labelled = segmentWithLccp (input.cloud);
-    const double milliseconds = millisecondsSince (start);
+    const double milliseconds = watch.milliseconds();
     std::map<std::uint32_t, FoundObject> segments;
     for (std::size_t i = 0; i < labelled->size(); ++i)
       if ((*labelled)[i].label != 0)

@@ -3,11 +3,11 @@
 
 #include <pcl/apps/fit_camera.h>
 #include <pcl/apps/normal_methods.h>
+#include <pcl/apps/stopwatch.h>
 
 #include <opencv2/core.hpp>
 #include <opencv2/rgbd/depth.hpp>
 
-#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -49,17 +49,16 @@ computeNormals (const Cloud& cloud, int method, cv::Mat& result, Normals& normal
   estimation.initialize();
   cv::setNumThreads (1);
 
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   estimation (points, result);
-  const std::chrono::duration<double, std::milli> time =
-      std::chrono::steady_clock::now() - start;
+  const double milliseconds = watch.milliseconds();
 
   normals.resize (cloud.width, cloud.height);
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const cv::Vec3f& n = result.ptr<cv::Vec3f>()[i];
     normals[i].getNormalVector3fMap() = Eigen::Vector3f (n[0], n[1], n[2]);
   }
-  return time.count();
+  return milliseconds;
 }
 
 } // namespace

@@ -3,13 +3,13 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/plane_methods.h>
+#include <pcl/apps/stopwatch.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace pcl {
@@ -37,13 +37,12 @@ makeMethod (const std::string& name, const FindPlanes& find)
   const auto output = std::make_shared<SegmentedPlanes>();
   return {name,
           [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch watch;
             find (cloud, min_inliers, *output);
-            const std::chrono::duration<double, std::milli> elapsed =
-                std::chrono::steady_clock::now() - start;
+            const double milliseconds = watch.milliseconds();
             convert (*output, cloud->size(), set);
             set.cloud = cloud;
-            return elapsed.count();
+            return milliseconds;
           },
           {}};
 }
@@ -107,14 +106,13 @@ correctedMethod (const CorrectedOption& option)
   const auto planes = std::make_shared<SegmentedPlanes>();
   return {"corrected",
           [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch watch;
             const auto& corrected = correction->correct (cloud, min_inliers);
             correction->findPlanes (corrected, min_inliers, *planes);
-            const std::chrono::duration<double, std::milli> elapsed =
-                std::chrono::steady_clock::now() - start;
+            const double milliseconds = watch.milliseconds();
             convert (*planes, cloud->size(), set);
             set.cloud = corrected;
-            return elapsed.count();
+            return milliseconds;
           },
           correction->calibration()};
 }
