@@ -96,14 +96,13 @@ FrameSegmenter::segment (const Frame& frame)
   segmentation_.setInputCloud (frame.cloud);
   segmentation_.setInputNormals (normals_);
   segmentation_.setMinInliers (summary.min_inliers);
-  segmentation_.segment (coefficients_, inliers_);
+  segmentation_.segment (coefficients_, inliers_, *labels_);
   const auto camera_to_base =
       options_.camera_to_base ? options_.camera_to_base : frame.camera_to_base;
   summary.camera_to_base =
       camera_to_base ? camera_to_base : estimateCameraToBase (coefficients_);
   if (options_.find_objects)
     findObjects (frame, camera_to_base.has_value(), summary);
-  labelPoints (cloud);
   if (options_.find_obstacles)
     findObstacles (frame, summary);
   summary.times.total = total.milliseconds();
@@ -120,18 +119,6 @@ FrameSegmenter::segment (const Frame& frame)
     summary.labelled_points += inliers_[id].indices.size();
   }
   return summary;
-}
-
-void
-FrameSegmenter::labelPoints (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
-{
-  pcl::Label none;
-  none.label = unlabelled;
-  *labels_ = pcl::PointCloud<pcl::Label> (cloud.width, cloud.height, none);
-  for (std::size_t id = 0; id < inliers_.size(); ++id)
-    for (const auto index : inliers_[id].indices)
-      (*labels_)[static_cast<std::size_t> (index)].label =
-          static_cast<std::uint32_t> (id);
 }
 
 void
