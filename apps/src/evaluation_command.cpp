@@ -6,7 +6,6 @@
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
-#include <pcl/apps/output_files.h>
 #include <pcl/apps/progress.h>
 
 #include <boost/program_options/value_semantic.hpp>
@@ -46,12 +45,14 @@ readEvaluationCommand (int argc,
   }
   if (values.count ("json"))
     command.json = values["json"].as<std::string>();
+  if (values.count ("pictures"))
+    command.pictures = values["pictures"].as<std::string>();
   return command;
 }
 
 void
 runEvaluation (const EvaluationCommand& command,
-               const std::function<void (const Frame&)>& add,
+               const std::function<void (const Frame&, OutputFiles&)>& add,
                const std::function<std::string()>& table,
                const std::function<std::string()>& json,
                const std::vector<std::function<void (const Frame&)>>& before)
@@ -64,11 +65,16 @@ runEvaluation (const EvaluationCommand& command,
   if (command.values.count ("corrected"))
     files.protect ({command.values["corrected"].as<std::string>()});
   // An unwritable place is known before the work is done.
+  if (command.pictures) {
+    for (const auto& input : command.inputs)
+      refuseInputFolder (input.input, *command.pictures);
+    files.createFolder (*command.pictures);
+  }
   if (command.json)
     files.write (*command.json, "");
   for (const auto& body : before)
     forEachFrame (sources, body);
-  forEachFrame (sources, add);
+  forEachFrame (sources, [&] (const Frame& frame) { add (frame, files); });
   if (command.json)
     files.write (*command.json, json());
   std::cout << table();

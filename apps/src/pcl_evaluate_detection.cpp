@@ -86,7 +86,7 @@ evaluateDetection (int argc, char** argv)
   };
   runEvaluation (
       *command,
-      [&] (const Frame& measured) {
+      [&] (const Frame& measured, OutputFiles&) {
         if (correction)
           add (correction->correct (measured, minInliers (measured)));
         else

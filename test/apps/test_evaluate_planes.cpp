@@ -292,6 +292,24 @@ TEST_F (EvaluateCorner, Pictures)
   EXPECT_NE (colour (50, 50), colour (270, 50));
 }
 
+// While it works, a folder appears where one of the pictures goes.
+TEST_F (EvaluatePlanes, NoTableWherePicturesCannotBeWritten)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  writePng (folder_ / "frame.png", 160, std::vector<std::uint16_t> (160 * 120, 1000));
+  const Outcome outcome =
+      shell ("cp frame.png in/1.png; mkfifo in/2.png; " + application_ +
+             " in --intrinsics 131,131,79.5,59.5 --depth-scale 1000 --resolution vga "
+             "--json table.json --pictures pictures & pid=$!; exec 3>in/2.png; "
+             "mkdir pictures/1_normal_space_vga.png; cat frame.png >&3; exec 3>&-; "
+             "wait $pid");
+  EXPECT_EQ (outcome.code, 1);
+  EXPECT_NE (outcome.err.find ("1_normal_space_vga.png: cannot write this file"),
+             std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "table.json"));
+}
+
 TEST_F (EvaluatePlanes, BadUsage)
 {
   expectRefused ("", "INPUT");
