@@ -11,11 +11,33 @@
 #include <boost/program_options/value_semantic.hpp>
 
 #include <iostream>
+#include <set>
 
 namespace po = boost::program_options;
 
 namespace pcl {
 namespace rgbd_planes {
+
+namespace {
+
+void
+preparePictures (const EvaluationCommand& command,
+                 const std::vector<FrameSource>& sources,
+                 OutputFiles& files)
+{
+  for (const auto& input : command.inputs)
+    refuseInputFolder (input.input, *command.pictures);
+  std::set<std::string> names;
+  for (const auto& source : sources)
+    for (std::size_t i = 0; i < source.size(); ++i)
+      if (!names.insert (source.name (i)).second)
+        throw AppError ("--pictures: frames of two inputs are named '" +
+                        source.name (i) +
+                        "'; evaluate them in runs with a folder each");
+  files.createFolder (*command.pictures);
+}
+
+} // namespace
 
 std::optional<EvaluationCommand>
 readEvaluationCommand (int argc,
@@ -65,11 +87,8 @@ runEvaluation (const EvaluationCommand& command,
   if (command.values.count ("corrected"))
     files.protect ({command.values["corrected"].as<std::string>()});
   // An unwritable place is known before the work is done.
-  if (command.pictures) {
-    for (const auto& input : command.inputs)
-      refuseInputFolder (input.input, *command.pictures);
-    files.createFolder (*command.pictures);
-  }
+  if (command.pictures)
+    preparePictures (command, sources, files);
   if (command.json)
     files.write (*command.json, "");
   for (const auto& body : before)

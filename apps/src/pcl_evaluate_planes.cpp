@@ -70,7 +70,8 @@ evaluatePlanes (int argc, char** argv)
       "pictures",
       po::value<std::string>()->value_name ("DIR"),
       "write there the planes of each frame as FRAME_METHOD_RESOLUTION.png: each in a "
-      "colour of its own, grey where there is none, black without depth") (
+      "colour of its own, grey where there is none, black without depth; no two frames "
+      "may share a name") (
       "right-angles",
       po::value<std::string>()->value_name ("all|floor"),
       "the scene is right-angled: how far planes with 2 % of the pixels and more are "

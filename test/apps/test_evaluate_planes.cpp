@@ -326,4 +326,8 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("in --pictures in", "is the INPUT folder");
   expectRefused ("in/frame.pcd --pictures in", "is the folder of INPUT");
   expectRefused ("sim:table_single in --json in/frame.pcd", "is an input");
+  std::filesystem::create_directory (folder_ / "other");
+  writeFile (folder_ / "other/frame.pcd", "");
+  expectRefused ("in other --pictures pictures",
+                 "frames of two inputs are named 'frame'");
 }
