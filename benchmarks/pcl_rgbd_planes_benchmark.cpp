@@ -111,7 +111,7 @@ runBenchmarks (int argc, char** argv)
   if (file) {
     for (const auto& input : inputs)
       files.protect (FrameSource (input).files());
-    files.write (*file, "");
+    files.reserve (*file);
   }
   BaseTransforms camera_to_base;
   const Clouds frames = readClouds (inputs, camera_to_base);

@@ -90,7 +90,7 @@ runEvaluation (const EvaluationCommand& command,
   if (command.pictures)
     preparePictures (command, sources, files);
   if (command.json)
-    files.write (*command.json, "");
+    files.reserve (*command.json);
   for (const auto& body : before)
     forEachFrame (sources, body);
   forEachFrame (sources, [&] (const Frame& frame) { add (frame, files); });

@@ -152,7 +152,7 @@ takeScreenshot (const Options& options)
     // An unwritable place is known before the work is done.
     OutputFiles files;
     files.protect (source.files());
-    files.write (*options.screenshot, "");
+    files.reserve (*options.screenshot);
   }
   provideDisplay();
   PlaneViewer viewer (options.viewer);

@@ -319,6 +319,7 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("sim:table_single --corrected room", "room");
   expectRefused ("sim:table_single --corrected no.pcd", "no.pcd");
   expectRefused ("sim:table_single --json no/where.json", "no");
+  expectRefused ("sim:table_single --json ''", "no name of a file");
   expectRefused ("sim:table_single --without growth,roots", "roots");
   expectRefused ("sim:table_single --without ''", "''");
   std::filesystem::create_directory (folder_ / "in");

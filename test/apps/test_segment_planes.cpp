@@ -341,6 +341,18 @@ TEST_F (SegmentPlanes, UnwritablePlacesAreRefused)
   expectRefused ("in --output in/../in" + camera_, "is the INPUT folder");
 }
 
+TEST_F (SegmentPlanes, TwoResultsInOneFileAreRefused)
+{
+  writeTwoWalls ("walls.png");
+  std::filesystem::create_directory (folder_ / "in");
+  writeTwoWalls ("in/walls.png");
+  const std::string reason = "two results of this run";
+  expectRefused ("walls.png --output out --json out/planes.csv" + camera_, reason);
+  expectRefused ("in/walls.png --output . --json result.json" + camera_, reason);
+  expectRefused ("walls.png --output out --json out/walls_depth.png" + camera_, reason);
+  expectRefused ("walls.png --json ''" + camera_, "no name of a file");
+}
+
 TEST_F (SegmentPlanes, InputsAreNotReplaced)
 {
   std::filesystem::create_directory (folder_ / "in");
