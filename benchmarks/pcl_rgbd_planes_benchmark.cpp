@@ -34,7 +34,7 @@ without INPUT, of sim:table_cluttered and sim:room. Resolutions are chosen with
   pcl_rgbd_planes_benchmark --benchmark_filter=planes/.*/vga
   pcl_rgbd_planes_benchmark my.pcd --benchmark_out=times.json
 
-)" << input_help
+)" << inputHelp()
             << '\n'
             << inputOptionsDescription() << '\n'
             << exit_help << "\nGoogle Benchmark:\n";

@@ -53,7 +53,7 @@ readEvaluationCommand (int argc,
   command.values = parseCommandLine (argc, argv, options, "input", -1);
   const po::variables_map& values = command.values;
   if (values.count ("help")) {
-    std::cout << usage << '\n' << input_help << '\n' << options << '\n' << exit_help;
+    std::cout << usage << '\n' << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;
   }
   if (!values.count ("input"))

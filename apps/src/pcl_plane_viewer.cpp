@@ -107,7 +107,7 @@ readOptions (int argc, char** argv)
   const po::variables_map values =
       parseCommandLine (argc, argv, description, "input", 1);
   if (values.count ("help")) {
-    std::cout << usage << input_help << "\nKeys\n"
+    std::cout << usage << inputHelp() << "\nKeys\n"
               << viewerKeysHelp() << '\n'
               << description << '\n'
               << exit_help;

@@ -85,7 +85,7 @@ readOptions (int argc, char** argv)
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
-    std::cout << usage << input_help << '\n' << options << '\n' << exit_help;
+    std::cout << usage << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;
   }
   if (!values.count ("input"))

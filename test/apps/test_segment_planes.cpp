@@ -8,6 +8,7 @@
 #include <pcl/apps/pictures.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/plane_extraction.h>
+#include <pcl/simulation/simulate.h>
 
 #include <gtest/gtest.h>
 
@@ -374,6 +375,8 @@ TEST_F (SegmentPlanes, HelpIsNoError)
   EXPECT_EQ (result.code, 0);
   EXPECT_EQ (result.err, "");
   EXPECT_NE (result.out.find ("INPUT"), std::string::npos);
+  for (const auto& scene : sceneNames())
+    EXPECT_NE (result.out.find (scene), std::string::npos) << scene;
 }
 
 TEST_F (SegmentPlanes, RealFrames)
