@@ -19,7 +19,6 @@ findObjects (benchmark::State& state,
              const ObjectMethod& method)
 {
   ObjectInput input;
-  input.min_points = minObjectPoints (clouds.front()->size());
   std::vector<FoundObject> found;
   std::size_t frame = 0; // the clouds come in turn
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {

@@ -34,7 +34,7 @@ without INPUT, of sim:table_cluttered and sim:room. Resolutions are chosen with
   pcl_rgbd_planes_benchmark --benchmark_filter=planes/.*/vga
   pcl_rgbd_planes_benchmark my.pcd --benchmark_out=times.json
 
-)" << input_help
+)" << inputHelp()
             << '\n'
             << inputOptionsDescription() << '\n'
             << exit_help << "\nGoogle Benchmark:\n";
@@ -111,7 +111,7 @@ runBenchmarks (int argc, char** argv)
   if (file) {
     for (const auto& input : inputs)
       files.protect (FrameSource (input).files());
-    files.write (*file, "");
+    files.reserve (*file);
   }
   BaseTransforms camera_to_base;
   const Clouds frames = readClouds (inputs, camera_to_base);

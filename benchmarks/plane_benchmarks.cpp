@@ -4,29 +4,22 @@
 #include "benchmarks.h"
 
 #include <pcl/apps/input_options.h>
-#include <pcl/features/integral_image_normal.h>
+#include <pcl/apps/min_points.h>
+#include <pcl/apps/plane_methods.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
-#include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
 
-/** 1000 points at VGA, as in pcl_evaluate_planes. */
-unsigned
-minInliers (const Cloud& cloud)
-{
-  return static_cast<unsigned> (cloud.size() * 1000 / (640 * 480));
-}
-
 void
 normalSpace (benchmark::State& state, const Clouds& clouds)
 {
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-  segmentation.setMinInliers (minInliers (*clouds.front()));
+  segmentation.setMinInliers (minPlanePoints (clouds.front()->size()));
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   std::vector<pcl::ModelCoefficients> models;
   std::vector<pcl::PointIndices> inliers;
@@ -49,30 +42,11 @@ normalSpace (benchmark::State& state, const Clouds& clouds)
 void
 organizedMultiPlane (benchmark::State& state, const Clouds& clouds)
 {
-  using Estimation = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
-  using Region = pcl::PlanarRegion<pcl::PointXYZ>;
-  Estimation estimation;
-  estimation.setNormalEstimationMethod (Estimation::AVERAGE_3D_GRADIENT);
-  estimation.setNormalSmoothingSize (10.f);
-  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
-      segmentation;
-  segmentation.setMinInliers (minInliers (*clouds.front()));
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers;
+  const auto find = organizedMultiPlanes();
+  const unsigned min_inliers = minPlanePoints (clouds.front()->size());
+  SegmentedPlanes planes;
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
-    estimation.setInputCloud (cloud);
-    estimation.compute (*normals);
-    segmentation.setInputCloud (cloud);
-    segmentation.setInputNormals (normals);
-    // It appends to its outputs, and reads past the end of used labels.
-    models.clear();
-    inliers.clear();
-    std::vector<Region, Eigen::aligned_allocator<Region>> regions;
-    auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-    std::vector<pcl::PointIndices> label_indices, boundary_indices;
-    segmentation.segmentAndRefine (
-        regions, models, inliers, labels, label_indices, boundary_indices);
+    find (cloud, min_inliers, planes);
   });
 }
 

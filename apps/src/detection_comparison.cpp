@@ -5,6 +5,7 @@
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/object_comparison.h>
 #include <pcl/apps/statistics.h>
+#include <pcl/apps/stopwatch.h>
 #include <pcl/common/io.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/simulation/subsample.h>
@@ -12,7 +13,6 @@
 #include <boost/format.hpp>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 
 namespace pcl {
@@ -40,13 +40,11 @@ detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
         const std::optional<Eigen::Affine3f>& camera_to_base,
         DetectionPipeline& pipeline)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   pipeline.findPlanes (cloud, camera_to_base);
   pipeline.findObjects();
   pipeline.findObstacles();
-  const std::chrono::duration<double, std::milli> elapsed =
-      std::chrono::steady_clock::now() - start;
-  return elapsed.count();
+  return watch.milliseconds();
 }
 
 std::string
@@ -84,10 +82,7 @@ DetectionComparison::add (const Frame& frame)
     run.points = cloud->size();
     results_[i].milliseconds.push_back (
         detect (cloud, frame.camera_to_base, run.pipeline));
-    std::vector<FoundObject> found;
-    for (const auto& object : run.pipeline.objects())
-      found.push_back ({object.indices.indices, object.box_size, object.graspable});
-    scoreObjects (frame, run.step, found, results_[i].objects);
+    scoreObjects (frame, run.step, run.pipeline.objects(), results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);
       const auto numbers = subsampleNumbers (obstacles, full.width, run.step);

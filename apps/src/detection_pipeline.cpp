@@ -2,9 +2,8 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/detection_pipeline.h>
-#include <pcl/apps/object_methods.h>
-
-#include <algorithm>
+#include <pcl/apps/estimated_pose.h>
+#include <pcl/apps/min_points.h>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -18,11 +17,23 @@ DetectionPipeline::findPlanes (const Cloud::ConstPtr& cloud,
   estimation_.compute (*normals_);
   segmentation_.setInputCloud (cloud);
   segmentation_.setInputNormals (normals_);
-  segmentation_.setMinInliers (static_cast<unsigned> (
-      std::max<std::size_t> (cloud->size() * 1000 / (640 * 480), 3)));
+  segmentation_.setMinInliers (minPlanePoints (cloud->size()));
   segmentation_.segment (models_, inliers_, *labels_);
 
-  detection_.setCameraToBase (setPose (camera_to_base, models_, extraction_));
+  setPose (camera_to_base);
+}
+
+void
+DetectionPipeline::setPose (const std::optional<Eigen::Affine3f>& camera_to_base)
+{
+  const Eigen::Affine3f pose =
+      camera_to_base ? *camera_to_base
+                     : estimateCameraToBase (models_).value_or (defaultCameraToBase());
+  detection_.setCameraToBase (pose);
+  extraction_.setBaseTransform (pose);
+  const double lowest_m = camera_to_base ? 0. : -2.; // what has height 0 may be a table
+  const double highest_m = camera_to_base ? 1.2 : 2.;
+  extraction_.setPlaneHeights (lowest_m, highest_m);
 }
 
 void
@@ -32,6 +43,15 @@ DetectionPipeline::findObjects()
   extraction_.setInputCloud (cloud_);
   extraction_.setInputNormals (normals_);
   extraction_.extract (models_, inliers_, objects_);
+}
+
+std::vector<FoundObject>
+DetectionPipeline::objects() const
+{
+  std::vector<FoundObject> found;
+  for (const auto& object : objects_)
+    found.push_back ({object.indices.indices, object.box_size, object.graspable});
+  return found;
 }
 
 void

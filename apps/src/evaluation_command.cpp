@@ -6,17 +6,38 @@
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
-#include <pcl/apps/output_files.h>
 #include <pcl/apps/progress.h>
 
 #include <boost/program_options/value_semantic.hpp>
 
 #include <iostream>
+#include <set>
 
 namespace po = boost::program_options;
 
 namespace pcl {
 namespace rgbd_planes {
+
+namespace {
+
+void
+preparePictures (const EvaluationCommand& command,
+                 const std::vector<FrameSource>& sources,
+                 OutputFiles& files)
+{
+  for (const auto& input : command.inputs)
+    refuseInputFolder (input.input, *command.pictures);
+  std::set<std::string> names;
+  for (const auto& source : sources)
+    for (std::size_t i = 0; i < source.size(); ++i)
+      if (!names.insert (source.name (i)).second)
+        throw AppError ("--pictures: frames of two inputs are named '" +
+                        source.name (i) +
+                        "'; evaluate them in runs with a folder each");
+  files.createFolder (*command.pictures);
+}
+
+} // namespace
 
 std::optional<EvaluationCommand>
 readEvaluationCommand (int argc,
@@ -32,7 +53,7 @@ readEvaluationCommand (int argc,
   command.values = parseCommandLine (argc, argv, options, "input", -1);
   const po::variables_map& values = command.values;
   if (values.count ("help")) {
-    std::cout << usage << '\n' << input_help << '\n' << options << '\n' << exit_help;
+    std::cout << usage << '\n' << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;
   }
   if (!values.count ("input"))
@@ -46,12 +67,14 @@ readEvaluationCommand (int argc,
   }
   if (values.count ("json"))
     command.json = values["json"].as<std::string>();
+  if (values.count ("pictures"))
+    command.pictures = values["pictures"].as<std::string>();
   return command;
 }
 
 void
 runEvaluation (const EvaluationCommand& command,
-               const std::function<void (const Frame&)>& add,
+               const std::function<void (const Frame&, OutputFiles&)>& add,
                const std::function<std::string()>& table,
                const std::function<std::string()>& json,
                const std::vector<std::function<void (const Frame&)>>& before)
@@ -64,11 +87,13 @@ runEvaluation (const EvaluationCommand& command,
   if (command.values.count ("corrected"))
     files.protect ({command.values["corrected"].as<std::string>()});
   // An unwritable place is known before the work is done.
+  if (command.pictures)
+    preparePictures (command, sources, files);
   if (command.json)
-    files.write (*command.json, "");
+    files.reserve (*command.json);
   for (const auto& body : before)
     forEachFrame (sources, body);
-  forEachFrame (sources, add);
+  forEachFrame (sources, [&] (const Frame& frame) { add (frame, files); });
   if (command.json)
     files.write (*command.json, json());
   std::cout << table();

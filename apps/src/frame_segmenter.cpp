@@ -4,29 +4,16 @@
 #include <pcl/apps/depth_correction.h>
 #include <pcl/apps/estimated_pose.h>
 #include <pcl/apps/frame_segmenter.h>
-#include <pcl/apps/object_methods.h>
+#include <pcl/apps/min_points.h>
+#include <pcl/apps/stopwatch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-class Stopwatch {
-public:
-  double
-  milliseconds () const
-  {
-    return std::chrono::duration<double, std::milli> (Clock::now() - start_).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 PlaneSummary
 summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
@@ -52,9 +39,7 @@ summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
 unsigned
 minInliers (const SegmenterOptions& options, std::size_t pixels)
 {
-  constexpr std::size_t vga = 640 * 480, fewest = 3;
-  const auto in_proportion = std::max ((1000 * pixels + vga / 2) / vga, fewest);
-  return options.min_inliers.value_or (static_cast<unsigned> (in_proportion));
+  return options.min_inliers.value_or (minPlanePoints (pixels));
 }
 
 std::string
@@ -111,14 +96,13 @@ FrameSegmenter::segment (const Frame& frame)
   segmentation_.setInputCloud (frame.cloud);
   segmentation_.setInputNormals (normals_);
   segmentation_.setMinInliers (summary.min_inliers);
-  segmentation_.segment (coefficients_, inliers_);
+  segmentation_.segment (coefficients_, inliers_, *labels_);
   const auto camera_to_base =
       options_.camera_to_base ? options_.camera_to_base : frame.camera_to_base;
   summary.camera_to_base =
       camera_to_base ? camera_to_base : estimateCameraToBase (coefficients_);
   if (options_.find_objects)
     findObjects (frame, camera_to_base.has_value(), summary);
-  labelPoints (cloud);
   if (options_.find_obstacles)
     findObstacles (frame, summary);
   summary.times.total = total.milliseconds();
@@ -135,18 +119,6 @@ FrameSegmenter::segment (const Frame& frame)
     summary.labelled_points += inliers_[id].indices.size();
   }
   return summary;
-}
-
-void
-FrameSegmenter::labelPoints (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
-{
-  pcl::Label none;
-  none.label = unlabelled;
-  *labels_ = pcl::PointCloud<pcl::Label> (cloud.width, cloud.height, none);
-  for (std::size_t id = 0; id < inliers_.size(); ++id)
-    for (const auto index : inliers_[id].indices)
-      (*labels_)[static_cast<std::size_t> (index)].label =
-          static_cast<std::uint32_t> (id);
 }
 
 void

@@ -5,7 +5,9 @@
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/common/angles.h>
+#include <pcl/simulation/simulate.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options/value_semantic.hpp>
 
 #include <algorithm>
@@ -60,21 +62,43 @@ parseDepthScale (const std::string& text)
   return scale;
 }
 
+/** Words in lines of help_width columns, each after \a indent spaces. */
+std::string
+wrap (const std::string& text, std::size_t indent)
+{
+  const std::string margin (indent, ' ');
+  std::string lines, line = margin, word;
+  for (std::istringstream words (text); words >> word;) {
+    if (line.size() + 1 + word.size() > help_width) {
+      lines += line + '\n';
+      line = margin;
+    }
+    line += (line == margin ? "" : " ") + word;
+  }
+  return lines + line + '\n';
+}
+
 } // namespace
 
-const char input_help[] =
-    R"(INPUT is one of
+std::string
+inputHelp ()
+{
+  return R"(INPUT is one of
   FILE.pcd          an organized cloud, metres, in the frame of the camera: z forward, y down
   FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale
   FOLDER            of .pcd files, but for NAME_truth.pcd beside NAME.pcd, or else of depth images
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
   sim:SCENE[:SEED[:CAMERA]]
-                    a simulated frame of table_single, table_cluttered, room, corridor,
-                    floor_obstacles or worktop; SEED is 1 or what you say; frames with the
-                    same number CAMERA share the smooth error of depth that a camera has
-  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
+)" +
+         wrap ("a simulated frame; SCENE is one of " +
+                   boost::join (sceneNames(), ", ") +
+                   "; SEED is 1 or what you say; frames with the same number CAMERA "
+                   "share the smooth error of depth that a camera has",
+               20) +
+         R"(  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
                     recording FILE.oni
 )";
+}
 
 const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line or an "
                          "input is wrong, or a file "

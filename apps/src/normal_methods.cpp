@@ -2,12 +2,12 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/normal_methods.h>
+#include <pcl/apps/stopwatch.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/linear_least_squares_normal.h>
 #include <pcl/features/two_run_normal.h>
 
-#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -27,12 +27,10 @@ NormalMethod
 makeMethod (const std::string& name, const std::shared_ptr<Estimation>& estimation)
 {
   return {name, [estimation] (const Cloud::ConstPtr& cloud, Normals& normals) {
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch watch;
             estimation->setInputCloud (cloud);
             estimation->compute (normals);
-            return std::chrono::duration<double, std::milli> (
-                       std::chrono::steady_clock::now() - start)
-                .count();
+            return watch.milliseconds();
           }};
 }
 

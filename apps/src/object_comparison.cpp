@@ -116,7 +116,6 @@ ObjectComparison::add (const Frame& frame)
     input.cloud =
         pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
     input.camera_to_base = frame.camera_to_base;
-    input.min_points = minObjectPoints (input.cloud->size());
     // The first run pays for memory that later ones find in place.
     if (run.points != input.cloud->size())
       run.method.compute (input, run.found);

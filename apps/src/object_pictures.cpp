@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/fit_camera.h>
 #include <pcl/apps/object_pictures.h>
 #include <pcl/apps/scene_lines.h>
 
@@ -11,34 +12,6 @@ namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-/** Sums for a line pixel = focal * slope + center. */
-struct LineFit {
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
-
-  void
-  add (double slope, double pixel)
-  {
-    n += 1.;
-    x += slope;
-    y += pixel;
-    xx += slope * slope;
-    xy += slope * pixel;
-  }
-
-  double
-  focal () const
-  {
-    const double spread = n * xx - x * x;
-    return spread > 1e-9 * n * n ? (n * xy - x * y) / spread : 0.;
-  }
-
-  double
-  center () const
-  {
-    return n > 0. ? (y - focal() * x) / n : 0.;
-  }
-};
 
 /** Draws lines between points in space. */
 class LineDrawer {
@@ -90,24 +63,6 @@ private:
 };
 
 } // namespace
-
-Intrinsics
-fitCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
-{
-  LineFit columns, rows;
-  for (std::uint32_t v = 0; v < cloud.height; ++v)
-    for (std::uint32_t u = 0; u < cloud.width; ++u) {
-      const auto& p = cloud (u, v);
-      if (!std::isfinite (p.z) || p.z <= 0.f)
-        continue;
-      columns.add (p.x / p.z, u);
-      rows.add (p.y / p.z, v);
-    }
-  return {static_cast<float> (columns.focal()),
-          static_cast<float> (rows.focal()),
-          static_cast<float> (columns.center()),
-          static_cast<float> (rows.center())};
-}
 
 Picture
 objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,

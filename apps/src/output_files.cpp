@@ -16,6 +16,17 @@ namespace fs = std::filesystem;
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+/** The same for all names of a file, also before it is there. */
+fs::path
+placeOf (const fs::path& name)
+{
+  return fs::weakly_canonical (fs::current_path() / name);
+}
+
+} // namespace
+
 OutputFiles::~OutputFiles()
 {
   std::error_code ignored;
@@ -48,16 +59,19 @@ OutputFiles::createFolder (const fs::path& folder)
                     error.message() + "; choose another one");
 }
 
-const OutputFiles::File&
-OutputFiles::find (const fs::path& name)
+OutputFiles::File&
+OutputFiles::add (const fs::path& name)
 {
-  const fs::path path = fs::weakly_canonical (name);
-  const auto known =
-      std::find_if (files_.begin(), files_.end(), [&] (const File& file) {
-        return file.path == path;
-      });
-  if (known != files_.end())
-    return *known;
+  if (!name.has_filename())
+    throw AppError ("'" + name.string() + "': is no name of a file to write; give one");
+  const fs::path path = placeOf (name);
+  const bool known = std::any_of (files_.begin(), files_.end(), [&] (const File& file) {
+    return file.path == path;
+  });
+  if (known)
+    throw AppError (name.string() +
+                    ": two results of this run would be in this file; choose another "
+                    "name for one of them");
   if (protected_.count (path))
     throw AppError (name.string() +
                     ": is an input, which would be replaced; choose another name");
@@ -71,15 +85,34 @@ OutputFiles::find (const fs::path& name)
 }
 
 void
-OutputFiles::write (const fs::path& path, const std::string& contents)
+OutputFiles::reserve (const fs::path& name)
 {
-  const File& file = find (path);
+  File& file = add (name);
+  file.is_reserved = true;
+  fill (file, "");
+}
+
+void
+OutputFiles::write (const fs::path& name, const std::string& contents)
+{
+  const auto reserved = std::find_if (
+      files_.begin(), files_.end(), [path = placeOf (name)] (const File& file) {
+        return file.is_reserved && file.path == path;
+      });
+  File& file = reserved != files_.end() ? *reserved : add (name);
+  file.is_reserved = false;
+  fill (file, contents);
+}
+
+void
+OutputFiles::fill (const File& file, const std::string& contents)
+{
   errno = 0;
   std::ofstream stream (file.temporary, std::ios::binary);
   stream << contents;
   stream.close();
   if (!stream)
-    throw AppError (path.string() + ": cannot write this file: " +
+    throw AppError (file.path.string() + ": cannot write this file: " +
                     std::strerror (errno) + "; choose another place");
 }
 

@@ -47,7 +47,7 @@ using FrameCallbacks = std::vector<std::function<void (const Frame&)>>;
 unsigned
 minInliers (const Frame& frame)
 {
-  return static_cast<unsigned> (minPlanePoints (frame, frame.cloud->size()));
+  return minPlanePoints (frame, frame.cloud->size());
 }
 
 FrameCallbacks
@@ -86,7 +86,7 @@ evaluateDetection (int argc, char** argv)
   };
   runEvaluation (
       *command,
-      [&] (const Frame& measured) {
+      [&] (const Frame& measured, OutputFiles&) {
         if (correction)
           add (correction->correct (measured, minInliers (measured)));
         else

@@ -75,7 +75,7 @@ evaluateNormals (int argc, char** argv)
   NormalComparison comparison (command->steps, readRadius (command->values));
   runEvaluation (
       *command,
-      [&] (const Frame& frame) { comparison.add (frame); },
+      [&] (const Frame& frame, OutputFiles&) { comparison.add (frame); },
       [&] { return normalTable (comparison.results()); },
       [&] { return normalTableJson (comparison.results()); });
 }

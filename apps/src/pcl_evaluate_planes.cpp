@@ -4,7 +4,6 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/input_options.h>
-#include <pcl/apps/output_files.h>
 #include <pcl/apps/plane_comparison.h>
 #include <pcl/apps/plane_comparison_table.h>
 
@@ -58,18 +57,6 @@ readRightAngles (const po::variables_map& values)
   throw AppError ("--right-angles: '" + pairs + "' must be all or floor");
 }
 
-/** None of the folders that frames are read from. */
-std::optional<std::filesystem::path>
-readPictureFolder (const EvaluationCommand& command)
-{
-  if (!command.values.count ("pictures"))
-    return std::nullopt;
-  const std::filesystem::path folder = command.values["pictures"].as<std::string>();
-  for (const auto& input : command.inputs)
-    refuseInputFolder (input.input, folder);
-  return folder;
-}
-
 void
 evaluatePlanes (int argc, char** argv)
 {
@@ -83,7 +70,8 @@ evaluatePlanes (int argc, char** argv)
       "pictures",
       po::value<std::string>()->value_name ("DIR"),
       "write there the planes of each frame as FRAME_METHOD_RESOLUTION.png: each in a "
-      "colour of its own, grey where there is none, black without depth") (
+      "colour of its own, grey where there is none, black without depth; no two frames "
+      "may share a name") (
       "right-angles",
       po::value<std::string>()->value_name ("all|floor"),
       "the scene is right-angled: how far planes with 2 % of the pixels and more are "
@@ -100,21 +88,16 @@ evaluatePlanes (int argc, char** argv)
                                   ? values["without"].as<std::vector<std::string>>()
                                   : std::vector<std::string>(),
                               readCorrected (values));
-  const auto folder = readPictureFolder (*command);
-  OutputFiles pictures;
-  if (folder)
-    pictures.createFolder (*folder);
   runEvaluation (
       *command,
-      [&] (const Frame& frame) {
+      [&] (const Frame& frame, OutputFiles& files) {
         comparison.add (frame);
-        if (folder)
-          comparison.writePictures (frame, *folder, pictures);
+        if (command->pictures)
+          comparison.writePictures (frame, *command->pictures, files);
       },
       [&] { return planeComparisonTable (comparison.results()); },
       [&] { return planeComparisonJson (comparison.results()); },
       comparison.calibration());
-  pictures.commit();
 }
 
 } // namespace

@@ -107,7 +107,7 @@ readOptions (int argc, char** argv)
   const po::variables_map values =
       parseCommandLine (argc, argv, description, "input", 1);
   if (values.count ("help")) {
-    std::cout << usage << input_help << "\nKeys\n"
+    std::cout << usage << inputHelp() << "\nKeys\n"
               << viewerKeysHelp() << '\n'
               << description << '\n'
               << exit_help;
@@ -152,7 +152,7 @@ takeScreenshot (const Options& options)
     // An unwritable place is known before the work is done.
     OutputFiles files;
     files.protect (source.files());
-    files.write (*options.screenshot, "");
+    files.reserve (*options.screenshot);
   }
   provideDisplay();
   PlaneViewer viewer (options.viewer);

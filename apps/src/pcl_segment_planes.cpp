@@ -85,7 +85,7 @@ readOptions (int argc, char** argv)
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (values.count ("help")) {
-    std::cout << usage << input_help << '\n' << options << '\n' << exit_help;
+    std::cout << usage << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;
   }
   if (!values.count ("input"))
@@ -112,23 +112,22 @@ readOptions (int argc, char** argv)
   return result;
 }
 
-/** Writes empty files first, so that an unwritable place is known before the work is
- * done, and so that these files appear last. */
+/** These files appear last. */
 void
 prepareOutput (const Options& options, OutputFiles& files)
 {
   if (options.output) {
     refuseInputFolder (options.input.input, *options.output);
     files.createFolder (*options.output);
-    files.write (*options.output / "result.json", "");
-    files.write (*options.output / "planes.csv", "");
+    files.reserve (*options.output / "result.json");
+    files.reserve (*options.output / "planes.csv");
     if (options.segmenter.find_objects)
-      files.write (*options.output / "objects.csv", "");
+      files.reserve (*options.output / "objects.csv");
     if (options.segmenter.find_obstacles)
-      files.write (*options.output / "obstacles.csv", "");
+      files.reserve (*options.output / "obstacles.csv");
   }
   if (options.json)
-    files.write (*options.json, "");
+    files.reserve (*options.json);
 }
 
 void

@@ -59,8 +59,7 @@ PlaneComparison::calibration()
     for (const auto& calibrate : run.method.calibration)
       steps.push_back ([step = run.step, calibrate] (const Frame& frame) {
         const auto cloud = measuredCloud (frame, step);
-        calibrate (cloud,
-                   static_cast<unsigned> (minPlanePoints (frame, cloud->size())));
+        calibrate (cloud, minPlanePoints (frame, cloud->size()));
       });
   return steps;
 }
@@ -71,8 +70,7 @@ PlaneComparison::add (const Frame& frame)
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Run& run = runs_[i];
     const auto cloud = measuredCloud (frame, run.step);
-    const auto min_points =
-        static_cast<unsigned> (minPlanePoints (frame, cloud->size()));
+    const unsigned min_points = minPlanePoints (frame, cloud->size());
     double fastest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < runs_per_frame; ++k)
       fastest = std::min (fastest, run.method.compute (cloud, min_points, run.found));
@@ -104,7 +102,7 @@ PlaneComparison::score (const Frame& frame,
                         PlaneResult& result) const
 {
   const OrganizedPoints points = viewPoints (*run.found.cloud);
-  const std::size_t min_points = minPlanePoints (frame, cloud->size());
+  const unsigned min_points = minPlanePoints (frame, cloud->size());
   const auto truth = truePlanes (frame, run.step);
   if (truth)
     result.evaluation.add (points, run.found, *truth, min_points);

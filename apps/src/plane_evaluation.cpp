@@ -17,12 +17,6 @@ namespace {
 
 constexpr double hoover_overlap = 0.8;
 
-double
-percent (std::size_t part, std::size_t whole)
-{
-  return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole) : 0.;
-}
-
 /** Counts the wholes that are covered by several parts, and marks both as explained.
  * \param[in] share (part, whole) the points of a part in a whole, 0 where it lies
  * outside
@@ -250,13 +244,13 @@ PlaneEvaluation::meanIou() const
 double
 PlaneEvaluation::coveragePercent() const
 {
-  return percent (labelled_, measured_);
+  return percentOf (labelled_, measured_);
 }
 
 double
 PlaneEvaluation::offPercent() const
 {
-  return percent (off_, labelled_);
+  return percentOf (off_, labelled_);
 }
 
 double

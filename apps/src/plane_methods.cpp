@@ -3,13 +3,13 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/plane_methods.h>
+#include <pcl/apps/stopwatch.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace pcl {
@@ -18,12 +18,6 @@ namespace rgbd_planes {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Normals = pcl::PointCloud<pcl::Normal>;
-
-/** What the planes of a frame are written to, frame after frame. */
-struct Output : SegmentedPlanes {
-  Normals::Ptr normals = pcl::make_shared<Normals>();
-};
 
 void
 convert (const SegmentedPlanes& output, std::size_t points, PlaneSet& planes)
@@ -37,31 +31,40 @@ convert (const SegmentedPlanes& output, std::size_t points, PlaneSet& planes)
   }
 }
 
-/** \param[in] segment (segmentation, output) runs it on the input it was given */
-template <typename Estimation, typename Segmentation, typename Segment>
 PlaneMethod
-makeMethod (const std::string& name,
-            const std::shared_ptr<Estimation>& estimation,
+makeMethod (const std::string& name, const FindPlanes& find)
+{
+  const auto output = std::make_shared<SegmentedPlanes>();
+  return {name,
+          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
+            const Stopwatch watch;
+            find (cloud, min_inliers, *output);
+            const double milliseconds = watch.milliseconds();
+            convert (*output, cloud->size(), set);
+            set.cloud = cloud;
+            return milliseconds;
+          },
+          {}};
+}
+
+/** \param[in] segment (segmentation, planes) runs it on the input it was given */
+template <typename Estimation, typename Segmentation, typename Segment>
+FindPlanes
+findPlanes (const std::shared_ptr<Estimation>& estimation,
             const std::shared_ptr<Segmentation>& segmentation,
             const Segment& segment)
 {
-  const auto output = std::make_shared<Output>();
-  return {name,
-          [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
-            const auto start = std::chrono::steady_clock::now();
-            estimation->setInputCloud (cloud);
-            estimation->compute (*output->normals);
-            segmentation->setMinInliers (min_inliers);
-            segmentation->setInputCloud (cloud);
-            segmentation->setInputNormals (output->normals);
-            segment (*segmentation, *output);
-            const std::chrono::duration<double, std::milli> elapsed =
-                std::chrono::steady_clock::now() - start;
-            convert (*output, cloud->size(), set);
-            set.cloud = cloud;
-            return elapsed.count();
-          },
-          {}};
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  return [=] (const Cloud::ConstPtr& cloud,
+              unsigned min_inliers,
+              SegmentedPlanes& planes) {
+    estimation->setInputCloud (cloud);
+    estimation->compute (*normals);
+    segmentation->setMinInliers (min_inliers);
+    segmentation->setInputCloud (cloud);
+    segmentation->setInputNormals (normals);
+    segment (*segmentation, planes);
+  };
 }
 
 /** Ours, where parts of it can be left out. */
@@ -86,12 +89,13 @@ normalSpaceMethod (const std::string& name, const Additions& additions)
       pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
   const auto estimation = std::make_shared<Estimation>();
   estimation->setEdgeAware (additions.edges);
+  const auto segment = [] (NormalSpaceMethod& segmentation, SegmentedPlanes& planes) {
+    segmentation.segment (planes.models, planes.inliers);
+  };
   return makeMethod (name,
-                     estimation,
-                     std::make_shared<NormalSpaceMethod> (additions),
-                     [] (NormalSpaceMethod& segmentation, Output& output) {
-                       segmentation.segment (output.models, output.inliers);
-                     });
+                     findPlanes (estimation,
+                                 std::make_shared<NormalSpaceMethod> (additions),
+                                 segment));
 }
 
 /** Ours on corrected points. */
@@ -102,14 +106,13 @@ correctedMethod (const CorrectedOption& option)
   const auto planes = std::make_shared<SegmentedPlanes>();
   return {"corrected",
           [=] (const Cloud::ConstPtr& cloud, unsigned min_inliers, FoundPlanes& set) {
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch watch;
             const auto& corrected = correction->correct (cloud, min_inliers);
             correction->findPlanes (corrected, min_inliers, *planes);
-            const std::chrono::duration<double, std::milli> elapsed =
-                std::chrono::steady_clock::now() - start;
+            const double milliseconds = watch.milliseconds();
             convert (*planes, cloud->size(), set);
             set.cloud = corrected;
-            return elapsed.count();
+            return milliseconds;
           },
           correction->calibration()};
 }
@@ -155,8 +158,10 @@ additionsWithout (const std::string& list)
   return additions;
 }
 
-PlaneMethod
-organizedMultiPlaneMethod ()
+} // namespace
+
+FindPlanes
+organizedMultiPlanes ()
 {
   using Estimation = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
   using Segmentation =
@@ -165,26 +170,22 @@ organizedMultiPlaneMethod ()
   const auto estimation = std::make_shared<Estimation>();
   estimation->setNormalEstimationMethod (Estimation::AVERAGE_3D_GRADIENT);
   estimation->setNormalSmoothingSize (10.f);
-  return makeMethod ("pcl_omps",
-                     estimation,
-                     std::make_shared<Segmentation>(),
-                     [] (Segmentation& segmentation, Output& output) {
-                       // It appends to its outputs, and reads past the end of used labels.
-                       output.models.clear();
-                       output.inliers.clear();
-                       std::vector<Region, Eigen::aligned_allocator<Region>> regions;
-                       auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-                       std::vector<pcl::PointIndices> label_indices, boundary_indices;
-                       segmentation.segmentAndRefine (regions,
-                                                      output.models,
-                                                      output.inliers,
-                                                      labels,
-                                                      label_indices,
-                                                      boundary_indices);
-                     });
+  const auto segment = [] (Segmentation& segmentation, SegmentedPlanes& planes) {
+    // It appends to its outputs, and reads past the end of used labels.
+    planes.models.clear();
+    planes.inliers.clear();
+    std::vector<Region, Eigen::aligned_allocator<Region>> regions;
+    auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+    std::vector<pcl::PointIndices> label_indices, boundary_indices;
+    segmentation.segmentAndRefine (regions,
+                                   planes.models,
+                                   planes.inliers,
+                                   labels,
+                                   label_indices,
+                                   boundary_indices);
+  };
+  return findPlanes (estimation, std::make_shared<Segmentation>(), segment);
 }
-
-} // namespace
 
 std::string
 planeAdditionNames ()
@@ -200,7 +201,7 @@ planeMethods (const std::vector<std::string>& without,
               const std::optional<CorrectedOption>& corrected)
 {
   std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}),
-                                   organizedMultiPlaneMethod()};
+                                   makeMethod ("pcl_omps", organizedMultiPlanes())};
   for (const std::string& list : without)
     methods.push_back (normalSpaceMethod ("no_" + list, additionsWithout (list)));
   if (corrected)

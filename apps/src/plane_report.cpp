@@ -4,6 +4,7 @@
 #include <pcl/apps/csv.h>
 #include <pcl/apps/obstacle_report.h>
 #include <pcl/apps/plane_report.h>
+#include <pcl/apps/statistics.h>
 
 #include <boost/format.hpp>
 #include <nlohmann/json.hpp>
@@ -45,15 +46,8 @@ timeRange (const std::vector<FrameSummary>& frames, const Stage& stage)
   std::vector<double> times;
   for (const auto& frame : frames)
     times.push_back (frame.times.*stage.time);
-  std::sort (times.begin(), times.end());
-  const std::size_t n = times.size();
-  return {times.front(), 0.5 * (times[(n - 1) / 2] + times[n / 2]), times.back()};
-}
-
-double
-percent (std::size_t part, std::size_t whole)
-{
-  return whole ? 100. * static_cast<double> (part) / static_cast<double> (whole) : 0.;
+  const auto [min, max] = std::minmax_element (times.begin(), times.end());
+  return {*min, median (times), *max};
 }
 
 Json
@@ -130,7 +124,8 @@ printPlanes (std::ostream& out, const FrameSummary& frame)
   out << boost::format (
              "%s: %d x %d, %d points measured, %.1f %% of them on %d planes\n") %
              frame.name % frame.width % frame.height % frame.measured_points %
-             percent (frame.labelled_points, frame.measured_points) %
+             percentOf (frame.labelled_points,
+                        std::max<std::size_t> (frame.measured_points, 1)) %
              frame.planes.size();
   if (frame.planes.empty())
     return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/min_points.h>
 #include <pcl/apps/plane_truth.h>
 #include <pcl/common/centroid.h>
 #include <pcl/segmentation/plane_assignment.h>
@@ -70,11 +71,12 @@ truePlanes (const Frame& frame, std::uint32_t step)
   return std::nullopt;
 }
 
-std::size_t
+unsigned
 minPlanePoints (const Frame& frame, std::size_t points)
 {
-  return frame.labels.kind == PointLabels::Kind::planes ? points * 300 / (500 * 500)
-                                                        : points * 1000 / (640 * 480);
+  if (frame.labels.kind == PointLabels::Kind::planes)
+    return static_cast<unsigned> (points * 300 / (500 * 500));
+  return minPlanePoints (points);
 }
 
 } // namespace rgbd_planes

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/display.h>
-#include <pcl/apps/object_pictures.h>
+#include <pcl/apps/fit_camera.h>
 #include <pcl/apps/viewer_window.h>
 #include <pcl/visualization/interactor_style.h>
 

@@ -292,6 +292,24 @@ TEST_F (EvaluateCorner, Pictures)
   EXPECT_NE (colour (50, 50), colour (270, 50));
 }
 
+// While it works, a folder appears where one of the pictures goes.
+TEST_F (EvaluatePlanes, NoTableWherePicturesCannotBeWritten)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  writePng (folder_ / "frame.png", 160, std::vector<std::uint16_t> (160 * 120, 1000));
+  const Outcome outcome =
+      shell ("cp frame.png in/1.png; mkfifo in/2.png; " + application_ +
+             " in --intrinsics 131,131,79.5,59.5 --depth-scale 1000 --resolution vga "
+             "--json table.json --pictures pictures & pid=$!; exec 3>in/2.png; "
+             "mkdir pictures/1_normal_space_vga.png; cat frame.png >&3; exec 3>&-; "
+             "wait $pid");
+  EXPECT_EQ (outcome.code, 1);
+  EXPECT_NE (outcome.err.find ("1_normal_space_vga.png: cannot write this file"),
+             std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "table.json"));
+}
+
 TEST_F (EvaluatePlanes, BadUsage)
 {
   expectRefused ("", "INPUT");
@@ -301,6 +319,7 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("sim:table_single --corrected room", "room");
   expectRefused ("sim:table_single --corrected no.pcd", "no.pcd");
   expectRefused ("sim:table_single --json no/where.json", "no");
+  expectRefused ("sim:table_single --json ''", "no name of a file");
   expectRefused ("sim:table_single --without growth,roots", "roots");
   expectRefused ("sim:table_single --without ''", "''");
   std::filesystem::create_directory (folder_ / "in");
@@ -308,4 +327,8 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("in --pictures in", "is the INPUT folder");
   expectRefused ("in/frame.pcd --pictures in", "is the folder of INPUT");
   expectRefused ("sim:table_single in --json in/frame.pcd", "is an input");
+  std::filesystem::create_directory (folder_ / "other");
+  writeFile (folder_ / "other/frame.pcd", "");
+  expectRefused ("in other --pictures pictures",
+                 "frames of two inputs are named 'frame'");
 }

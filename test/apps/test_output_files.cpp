@@ -18,7 +18,7 @@ TEST (OutputFiles, AppearWithCommit)
   {
     OutputFiles files;
     files.createFolder (folder / "a/b");
-    files.write (folder / "a/b/new.txt", "");
+    files.reserve (folder / "a/b/new.txt");
     files.write (folder / "old.txt", "new");
     files.write (folder / "a/../a/b/new.txt", "contents");
     EXPECT_EQ (readFile (folder / "old.txt"), "old");
@@ -56,6 +56,31 @@ TEST (OutputFiles, InputsAreNotReplaced)
     EXPECT_THROW (files.write (folder / "link.pcd", ""), AppError);
     EXPECT_NO_THROW (files.write (folder / "out.pcd", ""));
   }
+}
+
+TEST (OutputFiles, TwoResultsInOneFileAreRefused)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory (folder / "a");
+  OutputFiles files;
+  files.reserve (folder / "1.txt");
+  EXPECT_THROW (files.reserve (folder / "1.txt"), AppError);
+  EXPECT_THROW (files.reserve (folder / "a/../1.txt"), AppError);
+  files.write (folder / "1.txt", "1");
+  EXPECT_THROW (files.write (folder / "1.txt", "2"), AppError);
+  files.write (folder / "2.txt", "2");
+  EXPECT_THROW (files.reserve (folder / "2.txt"), AppError);
+  files.commit();
+  EXPECT_EQ (readFile (folder / "1.txt"), "1");
+  EXPECT_EQ (readFile (folder / "2.txt"), "2");
+}
+
+TEST (OutputFiles, NamesOfNoFileAreRefused)
+{
+  const TemporaryFolder folder;
+  OutputFiles files;
+  EXPECT_THROW (files.reserve (""), AppError);
+  EXPECT_THROW (files.write (folder / "", ""), AppError);
 }
 
 TEST (OutputFiles, FoldersOfInputsAreRefused)

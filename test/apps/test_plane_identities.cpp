@@ -3,8 +3,8 @@
 
 #include "synthetic_clouds.h"
 
+#include <pcl/apps/fit_camera.h>
 #include <pcl/apps/frame_segmenter.h>
-#include <pcl/apps/object_pictures.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/segmentation/plane_tracker.h>
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/apps/object_evaluation.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/obstacle_detection.h>
@@ -14,13 +15,17 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief All stages in one go: normals, planes, objects (split at concave edges) and
- * obstacles, on one thread, with their buffers. */
+/** \brief All stages in one go: normals, planes, objects and obstacles, on one
+ * thread, with their buffers. */
 class DetectionPipeline {
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-  DetectionPipeline() { extraction_.setSplitAtConcaveEdges (true); }
+  /** \param[in] split objects at concave edges */
+  explicit DetectionPipeline (bool split = true)
+  {
+    extraction_.setSplitAtConcaveEdges (split);
+  }
 
   /** \brief Normals and planes.
    * \param[in] camera_to_base where the camera is; without, estimateCameraToBase()
@@ -37,11 +42,9 @@ public:
   void
   findObstacles ();
 
-  const std::vector<pcl::SupportedObject>&
-  objects () const
-  {
-    return objects_;
-  }
+  /** \brief Those of the last call of findObjects(). */
+  std::vector<FoundObject>
+  objects () const;
 
   /** \brief The class of each point. */
   const std::vector<ObstacleClass>&
@@ -51,6 +54,11 @@ public:
   }
 
 private:
+  /** \brief Also sets at which heights planes are looked for: at all, if it is only
+   * estimated. */
+  void
+  setPose (const std::optional<Eigen::Affine3f>& camera_to_base);
+
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation_;
   pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation_;
   pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction_;

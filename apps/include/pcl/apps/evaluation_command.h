@@ -4,11 +4,13 @@
 #pragma once
 
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/output_files.h>
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,6 +25,8 @@ struct EvaluationCommand {
   /** The resolutions asked for: every step-th pixel. Frames are read in full. */
   std::vector<std::uint32_t> steps{1, 2, 4};
   std::optional<std::string> json;
+  /** The folder of --pictures, an option that an application may have. */
+  std::optional<std::filesystem::path> pictures;
   boost::program_options::variables_map values;
 };
 
@@ -39,11 +43,13 @@ readEvaluationCommand (int argc,
 
 /** \brief Shows all frames of all inputs to \a add, then prints \a table () and writes
  * \a json () where --json says. Nothing is written after an AppError.
+ * \param[in] add may write to the folder of --pictures, which is there; pictures appear with
+ * the table, before the file of --json
  * \param[in] before each of them is shown all frames first, one after the other
  */
 void
 runEvaluation (const EvaluationCommand& command,
-               const std::function<void (const Frame&)>& add,
+               const std::function<void (const Frame&, OutputFiles&)>& add,
                const std::function<std::string()>& table,
                const std::function<std::string()>& json,
                const std::vector<std::function<void (const Frame&)>>& before = {});

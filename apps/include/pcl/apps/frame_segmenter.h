@@ -143,9 +143,6 @@ public:
 
 private:
   void
-  labelPoints (const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
-
-  void
   findObjects (const Frame& frame, bool pose_is_known, FrameSummary& summary);
 
   void

@@ -75,6 +75,13 @@ public:
   Frame
   read (std::size_t i) const;
 
+  /** \brief Frame::name of frame \a i. */
+  const std::string&
+  name (std::size_t i) const
+  {
+    return frames_[i].name;
+  }
+
   /** \brief The files that frames are read from, and those that list them, also of frames
    * beyond InputOptions::max_frames. */
   const std::vector<std::filesystem::path>&

@@ -9,6 +9,8 @@
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
 
+#include <string>
+
 namespace pcl {
 namespace rgbd_planes {
 
@@ -57,7 +59,8 @@ std::string
 resolutionName (std::uint32_t step);
 
 /** \brief What --help says about INPUT. */
-extern const char input_help[];
+std::string
+inputHelp ();
 
 /** \brief What --help says about the exit code. */
 extern const char exit_help[];

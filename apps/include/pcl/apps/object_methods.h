@@ -4,14 +4,11 @@
 #pragma once
 
 #include <pcl/apps/object_evaluation.h>
-#include <pcl/ModelCoefficients.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/supported_object_extraction.h>
 
 #include <Eigen/Geometry>
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,8 +23,6 @@ struct ObjectInput {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
   /** Where the camera is; without, estimateCameraToBase(). */
   std::optional<Eigen::Affine3f> camera_to_base;
-  /** Smaller objects are not asked for. */
-  unsigned min_points = 50;
 };
 
 /** \brief A way to find objects, with its buffers. */
@@ -39,21 +34,6 @@ struct ObjectMethod {
   std::function<double (const ObjectInput& input, std::vector<FoundObject>& found)>
       compute;
 };
-
-/** \brief The fewest points of an object in an image of so many pixels: 40 of 640 x 480, in
- * proportion for others, and no fewer than 20. */
-unsigned
-minObjectPoints (std::size_t pixels);
-
-/** \brief Sets where the camera is, and at which heights planes are looked for: at all, if
- * it is only estimated.
- * \param[in] camera_to_base without, estimateCameraToBase() of \a models
- * \return the transform
- */
-Eigen::Affine3f
-setPose (const std::optional<Eigen::Affine3f>& camera_to_base,
-         const std::vector<pcl::ModelCoefficients>& models,
-         pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal>& extraction);
 
 /** \brief Ours, "supported" and, with the split at concave edges, "supported_split". */
 std::vector<ObjectMethod>

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <pcl/apps/depth_image.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
@@ -11,11 +10,6 @@
 
 namespace pcl {
 namespace rgbd_planes {
-
-/** \brief The pinhole camera that an organized cloud fits best, in pixels; focal lengths are 0
- * where it has too few points. */
-Intrinsics
-fitCamera (const pcl::PointCloud<pcl::PointXYZRGB>& cloud);
 
 /** \brief Objects in colours on grey depth, with their boxes in white where they are graspable
  * and in red where not, and the hulls of the planes under them in the colours of

@@ -25,7 +25,7 @@ public:
   operator= (const OutputFiles&) = delete;
   ~OutputFiles();
 
-  /** \brief From now on write() refuses to replace these files. */
+  /** \brief From now on reserve() and write() refuse to replace these files. */
   void
   protect (const std::vector<std::filesystem::path>& inputs);
 
@@ -33,12 +33,17 @@ public:
   void
   createFolder (const std::filesystem::path& folder);
 
-  /** \brief Writes a file, or replaces what was written for it before. Its folder must
-   * exist. */
+  /** \brief Writes an empty file for one that write() fills later: where it cannot be is
+   * known before the work is done. Its folder must exist; no other file of this object may
+   * have its name. */
+  void
+  reserve (const std::filesystem::path& file);
+
+  /** \brief Writes a file that was reserved, or else a new one, as reserve() does. */
   void
   write (const std::filesystem::path& file, const std::string& contents);
 
-  /** \brief Puts the files in place, those that were written first last. */
+  /** \brief Puts the files in place, those that were reserved or written first last. */
   void
   commit ();
 
@@ -46,10 +51,15 @@ private:
   struct File {
     std::filesystem::path path;
     std::filesystem::path temporary;
+    bool is_reserved = false;
   };
 
-  const File&
-  find (const std::filesystem::path& name);
+  /** AppError where there can be no file of this name. */
+  File&
+  add (const std::filesystem::path& name);
+
+  static void
+  fill (const File& file, const std::string& contents);
 
   std::set<std::filesystem::path> protected_;
   std::vector<File> files_;

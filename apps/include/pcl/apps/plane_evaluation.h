@@ -67,12 +67,12 @@ public:
   double
   meanIou () const;
 
-  /** \brief Labelled points in percent of the measured points. */
+  /** \brief Labelled points in percent of the measured points; NaN where there are none. */
   double
   coveragePercent () const;
 
   /** \brief Labelled points further from their plane than 5 mm + 4 mm z^2, in percent of
-   * the labelled points. */
+   * the labelled points; NaN where there are none. */
   double
   offPercent () const;
 

@@ -22,7 +22,18 @@ struct FoundPlanes : PlaneSet {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
 };
 
-/** \brief A way to find planes, with its buffers. */
+/** \brief Finds the planes with at least \a min_inliers points, with buffers of its own. */
+using FindPlanes =
+    std::function<void (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
+                        unsigned min_inliers,
+                        SegmentedPlanes& planes)>;
+
+/** \brief PCL's OrganizedMultiPlaneSegmentation on AVERAGE_3D_GRADIENT normals with a smoothing
+ * size of 10; other settings as the classes have them. */
+FindPlanes
+organizedMultiPlanes ();
+
+/** \brief A way to find planes that is timed, with its buffers. */
 struct PlaneMethod {
   /** As in the files that pcl_evaluate_planes writes. */
   std::string name;
@@ -42,9 +53,7 @@ struct PlaneMethod {
 std::string
 planeAdditionNames ();
 
-/** \brief Ours, "normal_space", and PCL's OrganizedMultiPlaneSegmentation on
- * AVERAGE_3D_GRADIENT normals with a smoothing size of 10, "pcl_omps"; other settings as
- * the classes have them.
+/** \brief Ours as the class has it, "normal_space", and organizedMultiPlanes(), "pcl_omps".
  * \param[in] without lists of PlaneAdditions, "NAME,..." or "all": for each, ours once
  * more without these, "no_" and the list
  * Throws AppError where a name is none of them.

@@ -19,9 +19,9 @@ namespace rgbd_planes {
 std::optional<PlaneSet>
 truePlanes (const Frame& frame, std::uint32_t step);
 
-/** \brief How many of \a points points a plane needs to count: 1000 of 640 x 480, but 300
- * of 500 x 500 where the planes are labelled, for SynPEB has many small ones. */
-std::size_t
+/** \brief How many of \a points points a plane needs to count: minPlanePoints (points), but
+ * 300 of 500 x 500 where the planes are labelled, for SynPEB has many small ones. */
+unsigned
 minPlanePoints (const Frame& frame, std::size_t points);
 
 } // namespace rgbd_planes
