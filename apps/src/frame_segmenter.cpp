@@ -65,7 +65,6 @@ FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 , normals_ (new pcl::PointCloud<pcl::Normal>)
 , labels_ (new pcl::PointCloud<pcl::Label>)
 {
-  estimation_.setViewPoint (0.f, 0.f, 0.f);
   segmentation_.setDepthNoise (options.depth_noise);
   extraction_.setDepthNoise (options.depth_noise);
   detection_.setDepthNoise (options.depth_noise);
@@ -128,7 +127,7 @@ FrameSegmenter::findObjects (const Frame& frame,
 {
   const Stopwatch watch;
   if (summary.camera_to_base)
-    extraction_.setBaseTransform (*summary.camera_to_base);
+    extraction_.setCameraToBase (*summary.camera_to_base);
   constexpr double anywhere = 2.; // what has height 0 may be a table
   if (!pose_is_known)
     extraction_.setPlaneHeights (-anywhere, anywhere);

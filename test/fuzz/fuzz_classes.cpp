@@ -161,7 +161,7 @@ private:
   void
   changeObjects ()
   {
-    extraction_.setBaseTransform (anyPose (data_));
+    extraction_.setCameraToBase (anyPose (data_));
     extraction_.setHorizontalTolerance (anyFloat (data_));
     extraction_.setPlaneHeights (anyFloat (data_), anyFloat (data_));
     extraction_.setMaxObjectHeight (anyFloat (data_));

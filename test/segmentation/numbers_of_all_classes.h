@@ -126,7 +126,7 @@ private:
     extraction_.setInputCloud (cloud_);
     extraction_.setInputNormals (normals_);
     extraction_.setSplitAtConcaveEdges (true);
-    extraction_.setBaseTransform (camera_to_base);
+    extraction_.setCameraToBase (camera_to_base);
     std::vector<pcl::SupportedObject> objects;
     extraction_.extract (models_, inliers_, objects);
     for (const auto& object : objects) {

@@ -62,7 +62,7 @@ std::vector<pcl::SupportedObject>
 extract (const View& view)
 {
   pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
-  extraction.setBaseTransform (view.camera_to_base);
+  extraction.setCameraToBase (view.camera_to_base);
   extraction.setInputCloud (view.cloud);
   std::vector<pcl::SupportedObject> objects;
   extraction.extract (view.models, view.inliers, objects);

@@ -72,7 +72,7 @@ findWith (std::int64_t target,
     found.labels.push_back (label.label);
 
   pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
-  extraction.setBaseTransform (scene.camera_to_base);
+  extraction.setCameraToBase (scene.camera_to_base);
   extraction.setMinPoints (20);
   extraction.setSplitAtConcaveEdges (true);
   extraction.setInputCloud (scene.cloud);

@@ -40,7 +40,7 @@ struct Results {
     segmentation.setInputNormals (normals);
     segmentation.segment (models, inliers, *labels);
     pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
-    extraction.setBaseTransform (to_base);
+    extraction.setCameraToBase (to_base);
     extraction.setInputCloud (cloud);
     extraction.extract (models, inliers, objects);
     pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection;

@@ -79,7 +79,7 @@ public:
     setInputs (segmentation_, scene);
     segmentation_.segmentAndRefine (
         regions_, planes_, inliers_, labels_, label_indices_, boundaries_);
-    extraction_.setBaseTransform (scene.camera_to_base);
+    extraction_.setCameraToBase (scene.camera_to_base);
     setInputs (extraction_, scene);
     extraction_.extract (planes_, inliers_, objects_);
     detection_.setCameraToBase (scene.camera_to_base);

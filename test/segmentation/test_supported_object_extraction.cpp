@@ -52,7 +52,7 @@ wallBehindATable ()
 Objects
 extract (Extraction& extraction, const View& view)
 {
-  extraction.setBaseTransform (view.camera_to_base);
+  extraction.setCameraToBase (view.camera_to_base);
   extraction.setInputCloud (view.cloud);
   extraction.setInputNormals (view.normals);
   Objects objects (3); // what is in there must not stay
@@ -638,7 +638,7 @@ TEST (SupportedObjectExtraction, NoAllocationsForFramesLikeThoseBefore)
   for (const bool split : {false, true}) {
     Extraction extraction;
     extraction.setSplitAtConcaveEdges (split);
-    extraction.setBaseTransform (view.camera_to_base);
+    extraction.setCameraToBase (view.camera_to_base);
     extraction.setInputCloud (view.cloud);
     extraction.setInputNormals (view.normals);
     Objects objects;
@@ -760,6 +760,6 @@ TEST (SupportedObjectExtraction, RefusesBadParameters)
   EXPECT_FLOAT_EQ (extraction.getMaxGraspableSide(), 0.1f);
   extraction.setDepthNoise ({-0.001f, 0.002f});
   EXPECT_EQ (extraction.getDepthNoise().constant, 0.001f);
-  extraction.setBaseTransform (Eigen::Affine3f (Eigen::Scaling (2.f)));
-  EXPECT_TRUE (extraction.getBaseTransform().linear().isUnitary (1e-4f));
+  extraction.setCameraToBase (Eigen::Affine3f (Eigen::Scaling (2.f)));
+  EXPECT_TRUE (extraction.getCameraToBase().linear().isUnitary (1e-4f));
 }

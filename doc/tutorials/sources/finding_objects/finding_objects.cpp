@@ -47,7 +47,7 @@ main (int argc, char** argv)
 
   // [extract]
   pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
-  extraction.setBaseTransform (camera_to_base);
+  extraction.setCameraToBase (camera_to_base);
   extraction.setSplitAtConcaveEdges (true);
   extraction.setInputCloud (cloud);
   extraction.setInputNormals (normals);

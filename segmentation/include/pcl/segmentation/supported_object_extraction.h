@@ -48,7 +48,7 @@ struct SupportedObject {
  *
  * \code
  * pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
- * extraction.setBaseTransform (camera_to_base);
+ * extraction.setCameraToBase (camera_to_base);
  * extraction.setInputCloud (cloud);
  * extraction.extract (model_coefficients, inlier_indices, objects);
  * \endcode
@@ -114,10 +114,10 @@ public:
    * count from z = 0. Rigid. Default: the camera looks forward along x, without tilt, and is
    * 2 cm to the left of the origin, at height 0 (section 3 of the paper). */
   void
-  setBaseTransform (const Eigen::Affine3f& camera_to_base);
+  setCameraToBase (const Eigen::Affine3f& camera_to_base);
 
   const Eigen::Affine3f&
-  getBaseTransform () const
+  getCameraToBase () const
   {
     return camera_to_base_;
   }

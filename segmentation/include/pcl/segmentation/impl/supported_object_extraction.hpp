@@ -17,11 +17,11 @@ namespace pcl {
 
 template <typename PointT, typename PointNT>
 void
-SupportedObjectExtraction<PointT, PointNT>::setBaseTransform (
+SupportedObjectExtraction<PointT, PointNT>::setCameraToBase (
     const Eigen::Affine3f& camera_to_base)
 {
   rgbd_planes::setTransform (
-      getClassName() + "::setBaseTransform", camera_to_base, camera_to_base_);
+      getClassName() + "::setCameraToBase", camera_to_base, camera_to_base_);
 }
 
 template <typename PointT, typename PointNT>
