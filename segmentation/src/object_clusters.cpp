@@ -163,6 +163,20 @@ ObjectClusters::settle (std::uint32_t i, std::size_t base) const
     if (height > 0.f)
       return settle (i, base);
   }
+  return settleBeside (i);
+}
+
+/** The place of a point that is over no hull. */
+ObjectClusters::Place
+ObjectClusters::settleBeside (std::uint32_t i) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  for (std::size_t base = 0; base < bases_.size(); ++base) {
+    const float height = heightAbove (*bases_[base], i / width, i % width);
+    if (height > 0.f && height <= parameters_.max_object_height &&
+        bases_[base]->surroundings.contains (bases_[base]->project (points_[i])))
+      return static_cast<Place> (above + base);
+  }
   return outside;
 }
 

@@ -29,8 +29,11 @@ constexpr double leaks_of_width = 0.1;
  * more than what the warp of a camera makes of planes, in standard deviations of depth. */
 constexpr float off_background_sigmas = 5.f;
 /** What ends, along a larger part of its tops, at something nearer may go on behind it: a leg
- * of a table, below the edge of its top. */
-constexpr double may_be_hidden = 0.5;
+ * of a table, below the edge of its top. What does not end there, however thin, goes on: a pole. */
+constexpr double may_go_on = 0.5;
+
+/** The width of the image in widths of the widest margin without depth. */
+constexpr std::uint32_t margins = 20;
 
 } // namespace
 
@@ -48,8 +51,11 @@ ObjectClusters::sumUp()
   });
   const LinkLimit limit = linkLimit();
   forEachRun ([&] (const PointRun& run, Sums& sums) {
-    if (isLarge (sums) && isClear (sums))
-      countLeaksAndTops (run, limit, sums);
+    if (!isLarge (sums) || !isClear (sums))
+      return;
+    sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
+    sums.at_border += pointsAtBorder (run);
+    countLeaksAndTops (run, limit, sums);
   });
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (sums.at_background > 0)
@@ -114,6 +120,55 @@ ObjectClusters::pointsOffBackground (const PointRun& run,
   return count;
 }
 
+std::size_t
+ObjectClusters::pointsOverHull (const PointRun& run, const SupportPlane& support) const
+{
+  std::size_t count = 0;
+  for (std::uint32_t i = run.first; i < run.first + run.length; ++i)
+    count += support.outline.contains (support.project (points_[i]));
+  return count;
+}
+
+/** Cameras have margins where nothing is measured: those with nothing between them and the
+ * border, if that is near. */
+std::size_t
+ObjectClusters::pointsAtBorder (const PointRun& run) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const auto height = static_cast<std::uint32_t> (points_.height);
+  const std::uint32_t margin_u = width / margins + 1, margin_v = height / margins + 1;
+  const std::uint32_t u = run.first % width, v = run.first / width;
+  const std::uint32_t last = run.first + run.length - 1;
+  const auto isNextToBorder = [this] (std::uint32_t i, std::ptrdiff_t step) {
+    std::uint32_t k = next (i, step);
+    for (; k != i && !isMeasured (points_[k]); k = next (k, step))
+      i = k;
+    return k == i;
+  };
+  std::size_t count = (u < margin_u && isNextToBorder (run.first, -1)) +
+                      (u + run.length + margin_u > width && isNextToBorder (last, 1));
+  for (std::uint32_t i = run.first; v < margin_v && i <= last; ++i)
+    count += isNextToBorder (i, -points_.width);
+  for (std::uint32_t i = run.first; v + margin_v >= height && i <= last; ++i)
+    count += isNextToBorder (i, points_.width);
+  return count;
+}
+
+bool
+ObjectClusters::isTruncated (const std::vector<PointRun>& runs) const
+{
+  std::size_t at_border = 0;
+  for (const PointRun& run : runs)
+    at_border += pointsAtBorder (run);
+  return isTruncated (at_border);
+}
+
+bool
+ObjectClusters::isTruncated (std::size_t at_border)
+{
+  return static_cast<double> (at_border) > few_leaks;
+}
+
 template <typename Visit>
 void
 ObjectClusters::visitMargin (const PointRun& run, const Visit& visit) const
@@ -161,8 +216,9 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
     if (k == last || place_[k] == place_[i])
       return;
     ++sums.tops;
-    sums.hidden_tops += squaredRange (points_[k]) < squaredRange (points_[i]) &&
-                        !limit.allows (points_[i], points_[k]);
+    sums.going_on += limit.allows (points_[i], points_[k])
+                         ? place_[k] == outside
+                         : squaredRange (points_[k]) < squaredRange (points_[i]);
   });
 }
 
@@ -227,8 +283,11 @@ ObjectClusters::isObject (const Sums& sums) const
       std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
       leaks_of_width * std::sqrt (points);
   return isLarge (sums) && isClear (sums) &&
-         static_cast<double> (sums.hidden_tops) <=
-             may_be_hidden * static_cast<double> (sums.tops) &&
+         static_cast<double> (sums.points - sums.over_hull) <=
+             (isTruncated (sums.at_border) ? max_leaks
+                                           : (1. - over_hull_share) * points) &&
+         static_cast<double> (sums.going_on) <=
+             may_go_on * static_cast<double> (sums.tops) &&
          static_cast<double> (sums.leaks) <= max_leaks &&
          (static_cast<double> (sums.at_background) <= max_leaks ||
           static_cast<double> (sums.off_background) >= clear_of_points * points);
