@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "each_bit.h"
 #include "plane_kernels.h"
 #include "surface_turn.h"
+#include "tile_bits.h"
 
 #include <pcl/segmentation/plane_growth.h>
 
@@ -90,19 +92,21 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
 {
   seed_tiles_.clear();
   std::size_t number = 0;
-  for (const std::uint32_t* i = seed.begin; i != seed.end; ++i) {
-    if (!samples.isFree (*i))
+  for (const TilePart* part = seed.first; part != seed.last;) {
+    const std::uint32_t tile = part->tile;
+    unsigned own = 0;
+    for (; part != seed.last && part->tile == tile; ++part)
+      own |= part->own;
+    const std::uint16_t claimed =
+        claimPart (samples, tile, static_cast<std::uint16_t> (own), claimed_.data());
+    if (claimed == 0)
       continue;
-    const auto tile = static_cast<std::uint32_t> (*i / PlaneSamples::tile_size);
-    if (number == 0)
-      reference_ = {samples.x[*i], samples.y[*i], samples.z[*i]};
-    if (number == 0 || seed_tiles_.back() != tile) {
-      seed_tiles_.push_back (tile);
-      std::fill_n (
-          &claimed_[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, 0.f);
+    if (number == 0) {
+      const std::size_t first = tile * PlaneSamples::tile_size + lowestBit (claimed);
+      reference_ = {samples.x[first], samples.y[first], samples.z[first]};
     }
-    claimed_[*i] = samples.weight[*i];
-    ++number;
+    seed_tiles_.push_back (tile);
+    number += count (claimed);
   }
   const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
   if (number > 0)

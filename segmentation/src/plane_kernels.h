@@ -50,6 +50,15 @@ claimTile (const PlaneSamples& samples,
            float max_sigmas,
            float* claimed);
 
+/** Marks the free samples of \a tile that are of \a own, likewise.
+ * \return these samples
+ */
+std::uint16_t
+claimPart (const PlaneSamples& samples,
+           std::size_t tile,
+           std::uint16_t own,
+           float* claimed);
+
 /** Sums, weighted by \a claimed, of 1, x, y, z, xx, xy, xz, yy, yz, zz, relative to
  * \a reference. */
 void

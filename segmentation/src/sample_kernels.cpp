@@ -94,6 +94,27 @@ claimTileHere (const PlaneSamples& samples,
   return static_cast<std::uint8_t> (number);
 }
 
+std::uint16_t
+claimPartHere (const PlaneSamples& samples,
+               std::size_t tile,
+               std::uint16_t own,
+               float* claimed)
+{
+  const std::size_t begin = tile * PlaneSamples::tile_size;
+  unsigned result = 0;
+  forEachVectorFrom (begin, [&] (std::size_t i) {
+    const auto bits = static_cast<std::uint16_t> (own >> (i - begin));
+    const Mask is_own =
+        hn::LoadMaskBits (Floats(), reinterpret_cast<const std::uint8_t*> (&bits));
+    const Mask on =
+        hn::And (is_own, hn::Ge (load (&samples.sigma[i]), hn::Zero (Floats())));
+    hn::StoreU (
+        hn::IfThenElseZero (on, load (&samples.weight[i])), Floats(), claimed + i);
+    result |= bitsOf (on) << (i - begin);
+  });
+  return static_cast<std::uint16_t> (result);
+}
+
 void
 sumSamplesHere (const PlaneSamples& samples,
                 const std::vector<std::uint32_t>& tiles,
@@ -141,6 +162,7 @@ namespace rgbd_planes {
 
 HWY_EXPORT (judgeSamplesHere);
 HWY_EXPORT (claimTileHere);
+HWY_EXPORT (claimPartHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (samplesAtPlaneHere);
 
@@ -159,6 +181,15 @@ claimTile (const PlaneSamples& samples,
 {
   return HWY_DYNAMIC_DISPATCH (claimTileHere) (
       samples, tile, plane, max_sigmas, claimed);
+}
+
+std::uint16_t
+claimPart (const PlaneSamples& samples,
+           std::size_t tile,
+           std::uint16_t own,
+           float* claimed)
+{
+  return HWY_DYNAMIC_DISPATCH (claimPartHere) (samples, tile, own, claimed);
 }
 
 void

@@ -115,12 +115,6 @@ public:
   /** The points that may start a cluster. */
   std::vector<std::uint32_t> seeds;
 
-  struct Neighbours {
-    std::uint32_t left, above_left, above, above_right;
-  };
-  /** For each sample those beside it, or itself where the image ends. */
-  std::vector<Neighbours> neighbours;
-
   bool
   isFree (std::size_t i) const
   {
@@ -136,7 +130,7 @@ private:
   resize (int image_width, int image_height);
 
   void
-  findNeighbours ();
+  findTilesAround ();
 
   template <typename IsUsable>
   std::size_t
