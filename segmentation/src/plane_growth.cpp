@@ -49,12 +49,12 @@ PlaneGrowth::reset (const PlaneSamples& samples,
   claimed_.assign (samples.size(), 0.f);
   const std::size_t tiles = samples.tiles();
   counts_.assign (tiles, 0);
-  free_.assign (tiles, 0);
-  looked_at_.assign (tiles, 0);
-  near_.assign (tiles, 0);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    free_[i / PlaneSamples::tile_size] = static_cast<std::uint8_t> (
-        free_[i / PlaneSamples::tile_size] + samples.isFree (i));
+  looks_.assign (tiles, Look::none);
+  free_.resize (tiles);
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+    free_[tile] = static_cast<std::uint8_t> (
+        count (samplesWhere (&samples.sigma[tile * PlaneSamples::tile_size],
+                             [] (float sigma) { return sigma >= 0.f; })));
 }
 
 PlaneGrowth::Result
@@ -173,8 +173,6 @@ PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
   tiles_.clear();
   seen_.clear();
   const auto lookAt = [&] (std::uint32_t tile) {
-    if (std::exchange (looked_at_[tile], std::uint8_t{1}))
-      return;
     seen_.push_back (tile);
     counts_[tile] = free_[tile] > 0
                         ? claimTile (samples, tile, plane, max_sigmas, claimed_.data())
@@ -182,18 +180,21 @@ PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
     if (counts_[tile] >= min_tile_points)
       connected_.push_back (tile);
   };
-  for (const std::uint32_t tile : seed_tiles_)
+  for (const std::uint32_t tile : seed_tiles_) {
     lookAt (tile);
+    looks_[tile] = Look::at_seed;
+  }
   for (std::size_t k = 0; k < connected_.size(); ++k)
     samples.forEachTileAround (connected_[k], [&] (std::uint32_t tile) {
-      lookAt (tile);
-      if (!near_[tile] && counts_[tile] > 0) {
-        near_[tile] = 1;
+      if (looks_[tile] == Look::done)
+        return;
+      if (std::exchange (looks_[tile], Look::done) == Look::none)
+        lookAt (tile);
+      if (counts_[tile] > 0)
         tiles_.push_back (tile);
-      }
     });
   for (const std::uint32_t tile : seen_)
-    looked_at_[tile] = near_[tile] = 0;
+    looks_[tile] = Look::none;
 }
 
 PlaneMoments
@@ -233,12 +234,7 @@ void
 PlaneGrowth::take (PlaneSamples& samples, std::int32_t owner)
 {
   for (const std::uint32_t tile : tiles_) {
-    const std::size_t begin = tile * PlaneSamples::tile_size;
-    for (std::size_t i = begin; i < begin + PlaneSamples::tile_size; ++i)
-      if (claimed_[i] > 0.f) {
-        owners_[i] = owner;
-        samples.sigma[i] = samples.relative_sigma[i] = -1.f;
-      }
+    takeTile (samples, tile, claimed_.data(), owner, owners_.data());
     free_[tile] = static_cast<std::uint8_t> (free_[tile] - counts_[tile]);
   }
 }

@@ -59,6 +59,14 @@ claimPart (const PlaneSamples& samples,
            std::uint16_t own,
            float* claimed);
 
+/** Gives the claimed samples of \a tile to \a owner: they are no longer free. */
+void
+takeTile (PlaneSamples& samples,
+          std::size_t tile,
+          const float* claimed,
+          std::int32_t owner,
+          std::int32_t* owners);
+
 /** Sums, weighted by \a claimed, of 1, x, y, z, xx, xy, xz, yy, yz, zz, relative to
  * \a reference. */
 void

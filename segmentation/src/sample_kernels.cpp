@@ -116,6 +116,27 @@ claimPartHere (const PlaneSamples& samples,
 }
 
 void
+takeTileHere (PlaneSamples& samples,
+              std::size_t tile,
+              const float* claimed,
+              std::int32_t owner,
+              std::int32_t* owners)
+{
+  forEachVectorFrom (tile * PlaneSamples::tile_size, [&] (std::size_t i) {
+    const Mask on = hn::Gt (load (claimed + i), hn::Zero (Floats()));
+    for (auto* sigmas : {&samples.sigma, &samples.relative_sigma})
+      hn::StoreU (hn::IfThenElse (on, set (-1.f), load (&(*sigmas)[i])),
+                  Floats(),
+                  &(*sigmas)[i]);
+    hn::StoreU (hn::IfThenElse (hn::RebindMask (Ints(), on),
+                                hn::Set (Ints(), owner),
+                                hn::LoadU (Ints(), owners + i)),
+                Ints(),
+                owners + i);
+  });
+}
+
+void
 sumSamplesHere (const PlaneSamples& samples,
                 const std::vector<std::uint32_t>& tiles,
                 const float* claimed,
@@ -163,6 +184,7 @@ namespace rgbd_planes {
 HWY_EXPORT (judgeSamplesHere);
 HWY_EXPORT (claimTileHere);
 HWY_EXPORT (claimPartHere);
+HWY_EXPORT (takeTileHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (samplesAtPlaneHere);
 
@@ -190,6 +212,16 @@ claimPart (const PlaneSamples& samples,
            float* claimed)
 {
   return HWY_DYNAMIC_DISPATCH (claimPartHere) (samples, tile, own, claimed);
+}
+
+void
+takeTile (PlaneSamples& samples,
+          std::size_t tile,
+          const float* claimed,
+          std::int32_t owner,
+          std::int32_t* owners)
+{
+  HWY_DYNAMIC_DISPATCH (takeTileHere) (samples, tile, claimed, owner, owners);
 }
 
 void
