@@ -25,8 +25,8 @@ constexpr float min_votes = min_places * min_edge;
 /** The shift of the surface behind a step, and what it leaves of the root mean square of
  * the errors. */
 constexpr double min_height = 1.6, max_left = 0.95;
-/** Samples that fill up a vector lie behind no line. */
 constexpr std::size_t longest_vector = 16;
+/** Where samples that fill up a vector are: behind no line. */
 constexpr float nowhere = -std::numeric_limits<float>::infinity();
 
 using Products = Eigen::Matrix<double, 6, 6>;
@@ -179,13 +179,13 @@ StepFinder::jumpsAlong (const GridLine& line) const
     --end;
   const int along_step = line.is_steep ? stride_ : 1,
             across_step = line.is_steep ? 1 : stride_;
-  const float* jumps = &jumps_[place (first_[0], first_[1])] - first_[k] * along_step -
-                       first_[1 - k] * across_step;
+  const int origin = (margin - first_[1]) * stride_ + margin - first_[0];
   float sum = 0.f;
   int places = 0;
   for (int along = begin; along < end; ++along) {
-    const float jump =
-        jumps[along * along_step + static_cast<int> (acrossAt (along)) * across_step];
+    const int across = static_cast<int> (acrossAt (along));
+    const float jump = jumps_[static_cast<std::size_t> (origin + along * along_step +
+                                                        across * across_step)];
     sum += jump;
     places += jump != 0.f;
   }

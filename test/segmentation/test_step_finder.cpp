@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <hwy/targets.h>
+
 #include <pcl/segmentation/step_finder.h>
 
 #include <gtest/gtest.h>
@@ -166,4 +168,21 @@ TEST (StepFinder, KeepsNothingOfThePlaneBefore)
   EXPECT_EQ (first.is_steep, again.is_steep);
   EXPECT_EQ (first.slope, again.slope);
   EXPECT_EQ (first.offset, again.offset);
+}
+
+TEST (StepFinder, FindsTheSameWithAnyInstructions)
+{
+  for (const int first : {0, 1, 5, 30}) { // leaves vectors that are not full
+    auto samples = samplesOf (isTable, tableWithStep (2.5f));
+    samples.erase (samples.begin(), samples.begin() + first);
+    GridLine best, fallback;
+    const bool is_found = StepFinder().find (samples, min_side, best);
+    hwy::SetSupportedTargetsForTest (HWY_STATIC_TARGET);
+    EXPECT_EQ (StepFinder().find (samples, min_side, fallback), is_found);
+    hwy::SetSupportedTargetsForTest (0);
+    EXPECT_TRUE (is_found);
+    EXPECT_EQ (best.is_steep, fallback.is_steep);
+    EXPECT_EQ (best.slope, fallback.slope);
+    EXPECT_EQ (best.offset, fallback.offset);
+  }
 }
