@@ -49,7 +49,6 @@ StepSplit::compute (const PlaneSamples& samples,
                     std::vector<TilePart>& parts,
                     std::vector<PlaneMoments>& planes)
 {
-  finder_.resize (samples.width, samples.height);
   const float unit = max_sigmas / reach;
   const double least = min_error * unit;
   const double max_points = max_share * samples.width * samples.height;
