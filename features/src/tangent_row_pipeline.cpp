@@ -78,6 +78,7 @@ TangentRowPipeline::start (const OrganizedPoints& points,
       std::min (static_cast<float> (1 << 30) / static_cast<float> (area), max_units);
 
   const int shift_u = std::max (grid_.diagonal.u, grid_.straight.u);
+  // So many rows above and below does the step after each stage look at.
   const std::array<int, plane_stages> rows_around{
       {parameters.edge_aware ? grid_.diagonal.v : 0,
        parameters.edge_aware ? grid_.straight.v : 0,
@@ -104,9 +105,9 @@ TangentRowPipeline::start (const OrganizedPoints& points,
   normals_.reset (
       1, 1, static_cast<int> (normal_floats) * grid_.step * padded_width_, 0, 0.f);
 
-  const int before_second = begin - rowsAround();
-  const int before_first = before_second - grid_.straight.v;
-  next_planes_ = {{std::max (before_first - grid_.diagonal.v, 0),
+  const int before_second = begin - rows_around[2];
+  const int before_first = before_second - rows_around[1];
+  next_planes_ = {{std::max (before_first - rows_around[0], 0),
                    std::max (before_first, 0),
                    std::max (before_second, 0)}};
   next_sum_ = std::max (next_planes_[0] - largest.half_height, 0);
