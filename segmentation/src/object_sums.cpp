@@ -32,9 +32,6 @@ constexpr float off_background_sigmas = 5.f;
  * of a table, below the edge of its top. What does not end there, however thin, goes on: a pole. */
 constexpr double may_go_on = 0.5;
 
-/** The width of the image in widths of the widest margin without depth. */
-constexpr std::uint32_t margins = 20;
-
 } // namespace
 
 void
@@ -123,50 +120,17 @@ ObjectClusters::pointsOffBackground (const PointRun& run,
 std::size_t
 ObjectClusters::pointsOverHull (const PointRun& run, const SupportPlane& support) const
 {
-  std::size_t count = 0;
-  for (std::uint32_t i = run.first; i < run.first + run.length; ++i)
-    count += support.outline.contains (support.project (points_[i]));
-  return count;
-}
-
-/** Cameras have margins where nothing is measured: those with nothing between them and the
- * border, if that is near. */
-std::size_t
-ObjectClusters::pointsAtBorder (const PointRun& run) const
-{
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const auto height = static_cast<std::uint32_t> (points_.height);
-  const std::uint32_t margin_u = width / margins + 1, margin_v = height / margins + 1;
-  const std::uint32_t u = run.first % width, v = run.first / width;
-  const std::uint32_t last = run.first + run.length - 1;
-  const auto isNextToBorder = [this] (std::uint32_t i, std::ptrdiff_t step) {
-    std::uint32_t k = next (i, step);
-    for (; k != i && !isMeasured (points_[k]); k = next (k, step))
-      i = k;
-    return k == i;
+  const auto isOver = [&] (std::uint32_t i) {
+    return support.outline.contains (support.project (points_[i]));
   };
-  std::size_t count = (u < margin_u && isNextToBorder (run.first, -1)) +
-                      (u + run.length + margin_u > width && isNextToBorder (last, 1));
-  for (std::uint32_t i = run.first; v < margin_v && i <= last; ++i)
-    count += isNextToBorder (i, -points_.width);
-  for (std::uint32_t i = run.first; v + margin_v >= height && i <= last; ++i)
-    count += isNextToBorder (i, points_.width);
+  const std::uint32_t end = run.first + run.length;
+  // Hulls are convex.
+  if (isOver (run.first) && isOver (end - 1))
+    return run.length;
+  std::size_t count = 0;
+  for (std::uint32_t i = run.first; i < end; ++i)
+    count += isOver (i);
   return count;
-}
-
-bool
-ObjectClusters::isTruncated (const std::vector<PointRun>& runs) const
-{
-  std::size_t at_border = 0;
-  for (const PointRun& run : runs)
-    at_border += pointsAtBorder (run);
-  return isTruncated (at_border);
-}
-
-bool
-ObjectClusters::isTruncated (std::size_t at_border)
-{
-  return static_cast<double> (at_border) > few_leaks;
 }
 
 template <typename Visit>
