@@ -76,13 +76,14 @@ FloorPlane::sample (const OrganizedPoints& points,
 {
   const auto width = static_cast<std::size_t> (points.width);
   const auto height = static_cast<std::size_t> (points.height);
-  const std::size_t step = std::max<std::size_t> (width / 80, 1);
+  const std::size_t step_u = std::max<std::size_t> (width / 80, 1);
+  const std::size_t step_v = std::max<std::size_t> (height / 60, 1);
   const float farthest =
       std::min (noise.max_range * noise.max_range, std::numeric_limits<float>::max());
-  points_.resize ((width / step + 1) * (height / step + 1));
+  points_.resize ((width / step_u + 1) * (height / step_v + 1));
   std::size_t count = 0;
-  for (std::size_t v = step / 2; v < height; v += step)
-    for (std::size_t u = step / 2; u < width; u += step) {
+  for (std::size_t v = step_v / 2; v < height; v += step_v)
+    for (std::size_t u = step_u / 2; u < width; u += step_u) {
       const std::size_t i = v * width + u;
       const float squared_range = squaredRange (points[i]);
       // Without a branch, for which points are on planes cannot be foreseen.

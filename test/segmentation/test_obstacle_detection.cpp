@@ -474,6 +474,28 @@ TEST (ObstacleDetection, TheFloorIsNearZeroAlsoWhereMoreIsALittleHigherOrLower)
   }
 }
 
+TEST (ObstacleDetection, TheFloorIsFoundInImagesOfFewRows)
+{
+  static constexpr std::uint32_t rows = 6; // of 768
+  FloorScene scene (only_floor, pose, 1024);
+  const auto takeRows = [] (auto& cloud) {
+    auto wide = pcl::make_shared<std::decay_t<decltype (*cloud)>> (cloud->width, rows);
+    for (std::uint32_t v = 0; v < rows; ++v)
+      std::copy_n (
+          &(*cloud) (0, v * cloud->height / rows), cloud->width, &(*wide) (0, v));
+    cloud = wide;
+  };
+  takeRows (scene.cloud);
+  takeRows (scene.normals);
+  takeRows (scene.labels);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+}
+
 TEST (ObstacleDetection, ObstaclesAreSeparateWhereDepthJumpsAndComeByDistance)
 {
   const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});

@@ -67,7 +67,7 @@ public:
    * the mean of its points or below the base, the one with the most points; these count
    * the less, the farther off it is.
    *
-   * About every 64th point is looked at, and every one of small images.
+   * The points of about 80 columns and 60 rows are looked at.
    */
   void
   find (const OrganizedPoints& points,
@@ -133,7 +133,7 @@ private:
     std::uint32_t plane;
   };
 
-  /** Takes about every 64th point that is usable and on a plane. */
+  /** Takes usable points on planes. */
   void
   sample (const OrganizedPoints& points,
           const LabelledPlanes& planes,
