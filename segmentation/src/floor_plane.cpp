@@ -35,8 +35,9 @@ FloorPlane::find (const OrganizedPoints& points,
   const Eigen::Vector4f height = camera_to_base.matrix().row (2);
   samples_.assign (planes.coefficients.size(), {});
   sample (points, planes, noise);
-  for (const auto& [point, plane] : points_) {
-    samples_[plane].height += heightAbove (height, point);
+  for (const auto& [point, plane, weight] : points_) {
+    samples_[plane].height += weight * heightAbove (height, point);
+    samples_[plane].weight += weight;
     ++samples_[plane].points;
   }
 
@@ -48,16 +49,17 @@ FloorPlane::find (const OrganizedPoints& points,
   found_ = false;
   coefficients_.setZero();
   for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const Samples& samples = samples_[k];
     const Eigen::Vector4f& plane = planes.coefficients[k];
-    const auto count = static_cast<float> (samples_[k].points);
     const float cosine = plane.head<3>().dot (height.head<3>());
-    if (count == 0.f || plane[3] < min_camera_height || cosine < min_cosine)
+    if (samples.points == 0 || plane[3] < min_camera_height || cosine < min_cosine)
       continue;
     // An error of the pose turns far points away from z = 0, one of the plane what is below
     // the robot.
-    const float off = std::min (std::abs (samples_[k].height) / count,
+    const float off = std::min (std::abs (samples.height) / samples.weight,
                                 std::abs (heightAbove (plane, base.data())) / cosine);
-    const float weight = count * (max_height - off);
+    const float nearness = std::max (max_height - off, 0.f);
+    const float weight = samples.weight * nearness * nearness;
     if (weight <= largest_weight)
       continue;
     found_ = true;
@@ -87,7 +89,7 @@ FloorPlane::sample (const OrganizedPoints& points,
       const std::size_t i = v * width + u;
       const float squared_range = squaredRange (points[i]);
       // Without a branch, for which points are on planes cannot be foreseen.
-      points_[count] = {points[i], planes[i]};
+      points_[count] = {points[i], planes[i], 1.f / (squared_range * squared_range)};
       count += static_cast<std::size_t> (planes[i] < planes.coefficients.size()) &
                static_cast<std::size_t> (squared_range > 0.f) &
                static_cast<std::size_t> (squared_range <= farthest);
@@ -103,7 +105,7 @@ FloorPlane::compare (const LabelledPlanes& planes,
   for (std::size_t k = 0; k < samples_.size(); ++k)
     samples_[k].is_tilted =
         planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
-  for (const auto& [point, plane] : points_) {
+  for (const auto& [point, plane, weight] : points_) {
     if (plane == floor)
       continue;
     Samples& samples = samples_[plane];

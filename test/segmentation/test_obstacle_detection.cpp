@@ -496,6 +496,29 @@ TEST (ObstacleDetection, TheFloorIsFoundInImagesOfFewRows)
   EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
 }
 
+TEST (ObstacleDetection, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
+{
+  constexpr float edge = 0.9f;
+  for (const float step : {-0.03f, 0.02f, 0.03f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const FloorScene scene ({near, far}, cameraPose (1.f, 0.61f), 320);
+    const Eigen::Vector4f floor (scene.planes[0].values.data());
+    // The pose is right; it is 1 cm too high; its pitch is off.
+    for (const Eigen::Affine3f& to_base :
+         {cameraPose (1.f, 0.61f), cameraPose (1.01f, 0.61f), cameraPose (1.f, 0.6f)}) {
+      Detection detection;
+      setInput (detection, scene);
+      detection.setCameraToBase (to_base);
+      Result result;
+      detection.detect (result.obstacles, result.classes);
+      EXPECT_TRUE (detection.getFloor().isApprox (floor)) << step;
+      EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << step;
+    }
+  }
+}
+
 TEST (ObstacleDetection, ObstaclesAreSeparateWhereDepthJumpsAndComeByDistance)
 {
   const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});

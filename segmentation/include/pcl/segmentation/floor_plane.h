@@ -64,8 +64,9 @@ class PCL_RGBD_PLANES_EXPORTS FloorPlane {
 public:
   /** \brief Finds the floor: of the planes whose normal is the z axis of the base frame
    * within \a max_angle (radians) and that is at z = 0 within \a max_height (metres), in
-   * the mean of its points or below the base, the one with the most points; these count
-   * the less, the farther off it is.
+   * the weighted mean of its points or below the base, the one whose points have the largest
+   * weight in all. A weight falls with the fourth power of range, for a robot stands on what
+   * is near, and with the square of how far off the plane is within \a max_height.
    *
    * The points of about 80 columns and 60 rows are looked at.
    */
@@ -120,8 +121,9 @@ public:
 
 private:
   struct Samples {
-    float height = 0.f; // in the base frame, sum
     std::size_t points = 0;
+    // Sums of weights, and of weighted heights in the base frame.
+    float weight = 0.f, height = 0.f;
     std::size_t off = 0; // above or below the floor, where the plane is tilted
     float sigmas = 0.f;  // standard deviations of depth above the floor, where not; sum
     bool is_tilted = false;
@@ -131,6 +133,7 @@ private:
   struct SampledPoint {
     const float* point;
     std::uint32_t plane;
+    float weight; // 1 / range^4: what is near the robot decides
   };
 
   /** Takes usable points on planes. */

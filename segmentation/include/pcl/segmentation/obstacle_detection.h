@@ -38,11 +38,12 @@ namespace pcl {
  * up, the floor at z = 0), the identity for clouds of CameraToBase. NaN, Inf and (0, 0, 0) are
  * missing points. With indices, only these points are looked at.
  *
- * The floor is the plane that is horizontal and at z = 0 within tolerances, large, and near
- * to z = 0; heights are measured from it, as the pose may be slightly off. Obstacles at least
- * as high as the larger of 1 cm and three standard deviations of depth are found. Points
- * clearly below the floor are drop-offs. Clusters of a few points are specks, errors of the
- * sensor. Where no floor is found, nothing is safe: all measured points are obstacles.
+ * The floor is the plane that is horizontal and at z = 0 within tolerances, near to z = 0, and
+ * large, where near points count most; heights are measured from it, as the pose may be
+ * slightly off. Obstacles at least as high as the larger of 1 cm and three standard deviations
+ * of depth are found. Points clearly below the floor are drop-offs. Clusters of a few points
+ * are specks, errors of the sensor. Where no floor is found, nothing is safe: all measured
+ * points are obstacles.
  *
  * A null or unorganized cloud, normals or labels that are missing or of another size, or
  * an index outside of the cloud: an error message and empty outputs.
