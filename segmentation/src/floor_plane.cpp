@@ -16,11 +16,23 @@ namespace {
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
 constexpr float off_sigmas = 3.f;
-/** The smooth error of depth bends parts of a floor by less, in the mean. Those with a
- * quarter of the points of the floor are too large for the top of a low thing. */
-constexpr float part_sigmas = 1.5f, large_part_sigmas = 3.f;
+/** The smooth error of depth bends parts of a floor by less, in the weighted mean. Those
+ * with a quarter of the points of the floor are too large for the top of a low thing. */
+constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
+/** Points of a level that are further from the floor are told from it one by one. */
+constexpr float level_sigmas = 8.f;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
+
+/** How far above the floor the ray to \a point meets \a plane. */
+float
+heightOnRay (const Eigen::Vector4f& plane,
+             const Eigen::Vector4f& floor,
+             const float* point)
+{
+  const float scale = plane[3] / (plane[3] - heightAbove (plane, point));
+  return floor[3] + scale * (heightAbove (floor, point) - floor[3]);
+}
 
 } // namespace
 
@@ -110,20 +122,25 @@ FloorPlane::compare (const LabelledPlanes& planes,
       continue;
     Samples& samples = samples_[plane];
     const float height = heightAbove (coefficients_, point);
+    const float sigmas = samples.is_tilted ? off_sigmas : level_sigmas;
+    samples.off += height * height >
+                   sigmas * sigmas * heightVariance (point, coefficients_[3], noise);
     if (samples.is_tilted)
-      samples.off +=
-          height * height >
-          off_sigmas * off_sigmas * heightVariance (point, coefficients_[3], noise);
-    else
-      samples.sigmas += height / noise.sigma (squaredRange (point));
+      continue;
+    const float level = heightOnRay (planes.coefficients[plane], coefficients_, point);
+    samples.level += weight * level;
+    samples.sigmas += weight * level / noise.sigma (squaredRange (point));
   }
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     Samples& samples = samples_[k];
+    const bool is_parallel = k != floor && !samples.is_tilted;
     const bool is_large = 4 * samples.points >= samples_[floor].points;
-    const float sigmas = is_large ? large_part_sigmas : part_sigmas;
+    const float sigmas = std::abs (samples.sigmas) / samples.weight;
     samples.is_part =
-        k != floor && !samples.is_tilted &&
-        std::abs (samples.sigmas) < sigmas * static_cast<float> (samples.points);
+        is_parallel && sigmas < (is_large ? large_part_sigmas : part_sigmas);
+    const bool is_level =
+        is_parallel && sigmas >= large_part_sigmas && samples.off < samples.points;
+    samples.level = is_level ? samples.level / samples.weight : 0.f;
   }
 }
 

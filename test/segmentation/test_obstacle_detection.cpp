@@ -519,6 +519,28 @@ TEST (ObstacleDetection, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
   }
 }
 
+TEST (ObstacleDetection, AnotherLevelThatIsClearNearTheRobotIsNoFloorFurtherAway)
+{
+  constexpr float edge = 1.2f;
+  const float pitch = 0.7f;
+  // Where the levels begin, three standard deviations of depth are 2.1 cm, and 15 cm at 5 m.
+  for (const float step : {-0.04f, 0.03f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const auto other = step < 0.f ? ObstacleClass::drop_off : ObstacleClass::obstacle;
+    for (const std::uint32_t width : {160u, 320u, 640u}) {
+      const FloorScene scene (
+          {near, far}, cameraPose (1.3f, pitch), width, kinectSigma);
+      const Result result = detect (scene);
+      EXPECT_GT (share (scene, result, 1, 1, other), 0.99) << step << ", " << width;
+      EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.998) << step;
+      ASSERT_EQ (result.obstacles.size(), 1u) << step << ", " << width;
+      EXPECT_NEAR (result.obstacles[0].distance, edge, 0.03f);
+    }
+  }
+}
+
 TEST (ObstacleDetection, ObstaclesAreSeparateWhereDepthJumpsAndComeByDistance)
 {
   const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});

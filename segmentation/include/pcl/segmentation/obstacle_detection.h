@@ -41,7 +41,8 @@ namespace pcl {
  * The floor is the plane that is horizontal and at z = 0 within tolerances, near to z = 0, and
  * large, where near points count most; heights are measured from it, as the pose may be
  * slightly off. Obstacles at least as high as the larger of 1 cm and three standard deviations
- * of depth are found. Points clearly below the floor are drop-offs. Clusters of a few points
+ * of depth are found. Points clearly below the floor are drop-offs. A plane beside the floor
+ * that is clearly higher or lower where it is near is so everywhere. Clusters of a few points
  * are specks, errors of the sensor. Where no floor is found, nothing is safe: all measured
  * points are obstacles.
  *
