@@ -838,7 +838,13 @@ TEST (ObstacleDetection, HeightsOfObstaclesAndDepthsOfDropsAreSettings)
   const std::size_t before = result.count (ObstacleClass::obstacle);
   detection.setMinObstacleHeight (0.05f);
   detection.detect (result.obstacles, result.classes);
-  EXPECT_LT (result.count (ObstacleClass::obstacle), before) << "its top";
+  EXPECT_LT (result.count (ObstacleClass::obstacle), before);
+  detection.setMinObstacleHeight (0.1f);
+  detection.detect (result.obstacles, result.classes);
+  constexpr std::uint32_t box_top = 6;
+  EXPECT_EQ (share (low, result, box_top, box_top, ObstacleClass::floor), 1.);
+  EXPECT_GT (share (low, result, box_front, box_front, ObstacleClass::obstacle), 0.9)
+      << "may be the foot of something";
 
   Patch near = floorAt (0.f);
   near.covers = [] (const Eigen::Vector3f& p) { return p.x() < 1.5f; };
