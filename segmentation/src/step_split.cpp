@@ -3,6 +3,7 @@
 
 #include <pcl/segmentation/step_split.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -19,8 +20,10 @@ constexpr double min_error = 0.8, min_error_if_large = 1.15;
 constexpr double large_share = 0.08;
 /** So many steps are taken from a large plane. */
 constexpr int max_steps = 3;
-/** The error of what lies on a plane. */
-constexpr double max_error = 1.5;
+/** The error of what lies on a plane, and of those points of it that a tilted plane missed. */
+constexpr double max_error = 1.5, max_missed_error = 2.5;
+/** These are not more than such a part of it. */
+constexpr double max_missed = 0.05;
 
 /** The other plane that fits best to the points of a side, if their error is less than
  * \a most; or else \a own. */
@@ -42,6 +45,29 @@ planeUnder (const PlaneMoments& side,
   return best;
 }
 
+/** Small planes that lie on one whose step was taken join it: it was tilted, and missed
+ * them. They are left without samples. */
+void
+joinWhatLiesOn (std::size_t plane,
+                double most,
+                std::vector<std::int32_t>& owners,
+                std::vector<PlaneMoments>& planes)
+{
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const double error = planes[k].meanSquaredError (planes[plane].inverseDistance());
+    if (static_cast<double> (planes[k].points) >
+            max_missed * static_cast<double> (planes[plane].points) ||
+        !(error < most * most))
+      continue;
+    planes[plane] += planes[k];
+    planes[k] = {};
+    std::replace (owners.begin(),
+                  owners.end(),
+                  static_cast<std::int32_t> (k),
+                  static_cast<std::int32_t> (plane));
+  }
+}
+
 } // namespace
 
 void
@@ -57,9 +83,14 @@ StepSplit::compute (const PlaneSamples& samples,
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const bool is_large = static_cast<double> (planes[k].points) > large;
     const double least = unit * (is_large ? min_error_if_large : min_error);
-    for (int steps = is_large ? max_steps : 1; steps > 0; --steps)
-      if (!splitOnce (samples, k, min_side, least, unit, owners, parts, planes))
-        break;
+    int steps = 0;
+    while (steps < (is_large ? max_steps : 1) &&
+           splitOnce (samples, k, min_side, least, unit, owners, parts, planes))
+      ++steps;
+    if (is_large && steps > 0) {
+      joinWhatLiesOn (k, max_missed_error * unit, owners, planes);
+      findTileParts (owners, parts);
+    }
   }
 }
 
