@@ -62,6 +62,7 @@ toJson (const pcl::SupportedObject& object)
   return {{"plane", object.support},
           {"points", object.indices.indices.size()},
           {"graspable", object.graspable},
+          {"truncated", object.truncated},
           {"centroid_m", toJson (object.centroid)},
           {"box_center_m", toJson (object.box_center)},
           {"box_size_m", toJson (object.box_size)},
@@ -153,7 +154,9 @@ printObjects (std::ostream& out, const FrameSummary& frame)
                "%8d %10d %8.3f %7.3f %7.3f %8.1f x %5.1f x %5.1f %8d   %s\n") %
                id % object.support % at.x() % at.y() % at.z() % cm.x() % cm.y() %
                cm.z() % object.indices.indices.size() %
-               (object.graspable ? "yes" : "no");
+               (object.truncated   ? "no, truncated"
+                : object.graspable ? "yes"
+                                   : "no");
   }
 }
 
@@ -163,7 +166,7 @@ objectsCsv (const std::vector<FrameSummary>& frames)
   std::string csv =
       "frame,object,plane,points,graspable,centroid_x_m,centroid_y_m,centroid_z_m,"
       "box_x_m,box_y_m,box_z_m,size_1_m,size_2_m,height_m,axis_1_x,axis_1_y,axis_1_z,"
-      "up_x,up_y,up_z\n";
+      "up_x,up_y,up_z,truncated\n";
   for (const auto& frame : frames)
     for (std::size_t id = 0; id < frame.objects.size(); ++id) {
       const auto& object = frame.objects[id];
@@ -178,7 +181,7 @@ objectsCsv (const std::vector<FrameSummary>& frames)
                                          object.box_axes.col (2)};
       for (const auto& vector : vectors)
         csv += csvFields (vector);
-      csv += '\n';
+      csv += object.truncated ? ",1\n" : ",0\n";
     }
   return csv;
 }

@@ -32,7 +32,6 @@ addNormals (const Candidates<number>& candidates,
             V reach,
             Vectors sum)
 {
-  const Vectors scaled = p * reach;
   // The rows have the same one, which takes fewer registers.
   const std::size_t stride = candidates[0].stride();
 #pragma GCC unroll 9
@@ -40,7 +39,9 @@ addNormals (const Candidates<number>& candidates,
     const float* x = candidates[k][plane_x] + at;
     const float* distance = x + plane_distance * stride;
     const Vectors n = {load (x), load (x + stride), load (x + 2 * stride)};
-    const V deviation = hn::NegMulAdd (load (distance), reach, dot (n, scaled));
+    const V off = hn::MulAdd (
+        n.x, p.x, hn::MulAdd (n.y, p.y, hn::MulSub (n.z, p.z, load (distance))));
+    const V deviation = hn::Mul (off, reach);
     const V root =
         hn::Max (hn::NegMulAdd (deviation, deviation, set (1.f)), hn::Zero (Floats()));
     const V weight = hn::Mul (load (distance + stride), hn::Mul (root, root));
@@ -136,45 +137,30 @@ writePixelNormalsOf (const float* points,
   return valid;
 }
 
-/** The sums of the normals of the candidates. */
 HWY_INLINE void
-sumPlanes (const Candidates<5>& candidates,
-           std::size_t cells,
-           CellRow points,
-           PlaneRow sums)
-{
-  const PlaneRow own = candidates[0];
-  for (std::size_t at = 0; at < cells; at += hn::Lanes (Floats())) {
-    const auto i = static_cast<std::ptrdiff_t> (at);
-    // The point lies on its own plane.
-    const Vectors own_normal = load (own, plane_x, i) * load (own[plane_weight] + i);
-    store (addNormals<1> (candidates,
-                          i,
-                          load (points, cell_x, i),
-                          load (points[cell_reach] + i),
-                          own_normal),
-           sums,
-           plane_x,
-           at);
-  }
-}
-
-/** Makes the planes through the points out of the sums of normals in their places. */
-HWY_INLINE void
-finishMeans (PlaneRow own, std::size_t cells, CellRow points, PlaneRow planes)
+averagePlanesOf (const Candidates<5>& candidates,
+                 std::size_t cells,
+                 CellRow points,
+                 PlaneRow planes)
 {
   constexpr Floats d;
+  const PlaneRow own = candidates[0];
   for (std::size_t at = 0; at < cells; at += hn::Lanes (d)) {
     const auto i = static_cast<std::ptrdiff_t> (at);
-    const Vectors sum = load (planes, plane_x, i);
+    const Vectors p = load (points, cell_x, i);
+    const V reach = load (points[cell_reach] + i);
+    const Vectors own_normal = load (own, plane_x, i);
+    const V weight = load (own[plane_weight] + i);
+    // The point lies on its own plane.
+    const Vectors sum = addNormals<1> (candidates, i, p, reach, own_normal * weight);
     const V squared_length = dot (sum, sum);
-    const Mask is_mean = hn::And (hn::Gt (load (points[cell_reach] + i), hn::Zero (d)),
+    const Mask is_mean = hn::And (hn::Gt (reach, hn::Zero (d)),
                                   hn::Gt (squared_length, set (min_squared_sum)));
     const Vectors n =
-        choose (is_mean, sum * reciprocalSqrt (squared_length), load (own, plane_x, i));
+        choose (is_mean, sum * reciprocalSqrt (squared_length), own_normal);
     store (n, planes, plane_x, at);
-    store (dot (n, load (points, cell_x, i)), planes[plane_distance] + i);
-    store (load (own[plane_weight] + i), planes[plane_weight] + i);
+    store (dot (n, p), planes[plane_distance] + i);
+    store (weight, planes[plane_weight] + i);
   }
 }
 
@@ -186,10 +172,7 @@ averagePlanesHere (const Candidates<5>& candidates,
                    const CellRow& points,
                    const PlaneRow& planes)
 {
-  // Short loops, one after another over a row in the cache, keep a processor busier than
-  // one long loop, in which each step waits for the one before.
-  sumPlanes (candidates, cells, points, planes);
-  finishMeans (candidates[0], cells, points, planes);
+  averagePlanesOf (candidates, cells, points, planes);
 }
 
 std::size_t

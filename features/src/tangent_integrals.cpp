@@ -9,6 +9,7 @@
 #include "row_vectors-inl.h"
 
 #include <algorithm>
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -27,19 +28,25 @@ nearestProduct (V a, V b)
                   hn::BitCast (Ints(), set (shift)));
 }
 
+/** A vector of each of the channels that are added up together: one step of all of them after
+ * another, as each step waits for the one before. */
+using Channels = std::array<I, 3>;
+
 #if HWY_TARGET == HWY_SCALAR
-/** To each lane, the sum of all lanes up to it; to \a last, that of all lanes. */
+HWY_INLINE void
+prefixSums (Channels&)
+{}
+
 HWY_INLINE I
-prefixSums (I v, I& last)
+lastLane (I v)
 {
-  last = v;
   return v;
 }
 #else
 /** Adds the last lane of the first half of \a size lanes to each lane of the second half. */
 template <int size>
-HWY_INLINE I
-addFirstHalves (I v)
+HWY_INLINE void
+addFirstHalves (Channels& channels)
 {
   constexpr Ints d;
   constexpr std::int32_t half = size / 2;
@@ -49,53 +56,73 @@ addFirstHalves (I v)
     is_second[i] = i & half ? -1 : 0;
     from[i] = i & half ? i / half * half - 1 : 0;
   }
-  const I ends = hn::TableLookupLanes (v, hn::SetTableIndices (d, from));
-  return hn::IfThenElse (
-      hn::MaskFromVec (hn::Load (d, is_second)), hn::Add (v, ends), v);
+  const auto second = hn::MaskFromVec (hn::Load (d, is_second));
+  const auto ends = hn::SetTableIndices (d, from);
+  for (I& v : channels)
+    v = hn::Add (v, hn::IfThenElseZero (second, hn::TableLookupLanes (v, ends)));
+}
+
+/** To each lane, the sum of all lanes up to it. */
+HWY_INLINE void
+prefixSums (Channels& channels)
+{
+  constexpr Ints d;
+  for (I& v : channels)
+    v = hn::Add (v, hn::ShiftLeftLanes<1> (d, v));
+  for (I& v : channels)
+    v = hn::Add (v, hn::ShiftLeftLanes<2> (d, v));
+  if constexpr (hn::MaxLanes (d) > 4)
+    addFirstHalves<8> (channels);
+  if constexpr (hn::MaxLanes (d) > 8)
+    addFirstHalves<16> (channels);
 }
 
 HWY_INLINE I
-prefixSums (I v, I& last)
+lastLane (I v)
 {
   constexpr Ints d;
-  v = hn::Add (v, hn::ShiftLeftLanes<1> (d, v));
-  v = hn::Add (v, hn::ShiftLeftLanes<2> (d, v));
-  if constexpr (hn::MaxLanes (d) > 4)
-    v = addFirstHalves<8> (v);
-  if constexpr (hn::MaxLanes (d) > 8)
-    v = addFirstHalves<16> (v);
   if constexpr (hn::MaxLanes (d) > 4) {
     HWY_ALIGN std::int32_t from[RowRing<float>::lanes];
     std::fill_n (from, hn::Lanes (d), static_cast<std::int32_t> (hn::Lanes (d)) - 1);
-    last = hn::TableLookupLanes (v, hn::SetTableIndices (d, from));
+    return hn::TableLookupLanes (v, hn::SetTableIndices (d, from));
   }
   else {
-    last = hn::Broadcast<3> (v);
+    return hn::Broadcast<3> (v);
   }
-  return v;
 }
 #endif
 
-/** Continues the integral image of one channel. */
+/** Continues the integral images of three channels. */
 HWY_INLINE void
-addUpChannel (const float* sums,
-              const float* scale,
-              std::size_t cells,
-              std::size_t margin,
-              const std::int32_t* above,
-              std::int32_t* integral)
+addUpChannels (std::size_t first,
+               SumRow sums,
+               std::size_t cells,
+               std::size_t margin,
+               TangentRow above,
+               TangentRow integral)
 {
   constexpr Ints d;
-  I carry = hn::Zero (d);
+  constexpr std::size_t number = std::tuple_size<Channels>::value;
+  Channels carry, v;
+  carry.fill (hn::Zero (d));
   for (std::size_t i = 0; i < cells; i += hn::Lanes (d)) {
-    I last;
-    const I sum = prefixSums (nearestProduct (load (sums + i), load (scale + i)), last);
-    hn::StoreU (
-        hn::Add (hn::LoadU (d, above + i), hn::Add (sum, carry)), d, integral + i);
-    carry = hn::Add (carry, last);
+    const V scale = load (sums[sum_scale] + i);
+    for (std::size_t c = 0; c < number; ++c)
+      v[c] = nearestProduct (load (sums[first + c] + i), scale);
+    prefixSums (v);
+    for (std::size_t c = 0; c < number; ++c) {
+      hn::StoreU (
+          hn::Add (hn::LoadU (d, above[first + c] + i), hn::Add (v[c], carry[c])),
+          d,
+          integral[first + c] + i);
+      carry[c] = hn::Add (carry[c], lastLane (v[c]));
+    }
   }
   for (std::size_t i = cells; i < cells + margin; i += hn::Lanes (d))
-    hn::StoreU (hn::Add (hn::LoadU (d, above + i), carry), d, integral + i);
+    for (std::size_t c = 0; c < number; ++c)
+      hn::StoreU (hn::Add (hn::LoadU (d, above[first + c] + i), carry[c]),
+                  d,
+                  integral[first + c] + i);
 }
 
 } // namespace
@@ -107,8 +134,8 @@ addUpHere (const SumRow& sums,
            const TangentRow& above,
            const TangentRow& integral)
 {
-  for (std::size_t c = 0; c < tangent_channels; ++c)
-    addUpChannel (sums[c], sums[sum_scale], cells, margin, above[c], integral[c]);
+  for (const std::size_t first : {0, 3})
+    addUpChannels (first, sums, cells, margin, above, integral);
 }
 
 void

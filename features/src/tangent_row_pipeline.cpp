@@ -78,8 +78,12 @@ TangentRowPipeline::start (const OrganizedPoints& points,
       std::min (static_cast<float> (1 << 30) / static_cast<float> (area), max_units);
 
   const int shift_u = std::max (grid_.diagonal.u, grid_.straight.u);
-  const int shift_v = std::max (grid_.diagonal.v, grid_.straight.v);
-  const int ahead = plane_stages * shift_v + largest.half_height;
+  // So many rows above and below does the step after each stage look at.
+  const std::array<int, plane_stages> rows_around{
+      {parameters.edge_aware ? grid_.diagonal.v : 0,
+       parameters.edge_aware ? grid_.straight.v : 0,
+       rowsAround()}};
+  const int ahead = rows_around[0] + rows_around[1] + largest.half_height;
   margin_ = RowRing<float>::roundUp (largest.half_width + 1);
   staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
   pixels_.reset (grid_.step == 1 ? ahead + 2 : 5,
@@ -93,16 +97,17 @@ TangentRowPipeline::start (const OrganizedPoints& points,
   sums_.reset (1, sum_channels, padded_width_, 0, 0.f);
   columns_.reset (2, tangent_channels, padded_width_, margin_, 0);
   cells_.reset (ahead + 2, cell_channels, padded_width_, 0, 0.f);
-  for (auto& planes : planes_)
-    planes.reset (2 * shift_v + 1, plane_channels, padded_width_, shift_u, 0.f);
+  for (std::size_t stage = 0; stage < planes_.size(); ++stage)
+    planes_[stage].reset (
+        2 * rows_around[stage] + 1, plane_channels, padded_width_, shift_u, 0.f);
   no_planes_.reset (1, plane_channels, padded_width_, shift_u, 0.f);
   larger_.reset (1, plane_channels, padded_width_, 0, 0.f);
   normals_.reset (
       1, 1, static_cast<int> (normal_floats) * grid_.step * padded_width_, 0, 0.f);
 
-  const int before_second = begin - rowsAround();
-  const int before_first = before_second - grid_.straight.v;
-  next_planes_ = {{std::max (before_first - grid_.diagonal.v, 0),
+  const int before_second = begin - rows_around[2];
+  const int before_first = before_second - rows_around[1];
+  next_planes_ = {{std::max (before_first - rows_around[0], 0),
                    std::max (before_first, 0),
                    std::max (before_second, 0)}};
   next_sum_ = std::max (next_planes_[0] - largest.half_height, 0);

@@ -47,14 +47,10 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
 {
   const auto& normals = normal_clusters.meanNormals();
   labels_ = normal_clusters.labels();
-  points_.assign (normals.size(), 0);
-  for (const std::uint32_t i : samples.seeds)
-    if (labels_[i] != NormalSpaceClusters::none)
-      ++points_[static_cast<std::size_t> (labels_[i])];
   histogram_of_.assign (normals.size(), NormalSpaceClusters::none);
   std::size_t histograms = 0;
   for (std::size_t k = 0; k < normals.size(); ++k)
-    if (points_[k] >= min_points)
+    if (normal_clusters.points()[k] >= min_points)
       histogram_of_[k] = static_cast<std::int32_t> (histograms++);
 
   bins_.assign (histograms * bins_per_histogram, 0);

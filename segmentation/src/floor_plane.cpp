@@ -16,11 +16,23 @@ namespace {
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
 constexpr float off_sigmas = 3.f;
-/** The smooth error of depth bends parts of a floor by less, in the mean. Those with a
- * quarter of the points of the floor are too large for the top of a low thing. */
-constexpr float part_sigmas = 1.5f, large_part_sigmas = 3.f;
+/** The smooth error of depth bends parts of a floor by less, in the weighted mean. Those
+ * with a quarter of the points of the floor are too large for the top of a low thing. */
+constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
+/** Points of a level that are further from the floor are told from it one by one. */
+constexpr float level_sigmas = 8.f;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
+
+/** How far above the floor the ray to \a point meets \a plane. */
+float
+heightOnRay (const Eigen::Vector4f& plane,
+             const Eigen::Vector4f& floor,
+             const float* point)
+{
+  const float scale = plane[3] / (plane[3] - heightAbove (plane, point));
+  return floor[3] + scale * (heightAbove (floor, point) - floor[3]);
+}
 
 } // namespace
 
@@ -35,8 +47,9 @@ FloorPlane::find (const OrganizedPoints& points,
   const Eigen::Vector4f height = camera_to_base.matrix().row (2);
   samples_.assign (planes.coefficients.size(), {});
   sample (points, planes, noise);
-  for (const auto& [point, plane] : points_) {
-    samples_[plane].height += heightAbove (height, point);
+  for (const auto& [point, plane, weight] : points_) {
+    samples_[plane].height += weight * heightAbove (height, point);
+    samples_[plane].weight += weight;
     ++samples_[plane].points;
   }
 
@@ -48,16 +61,17 @@ FloorPlane::find (const OrganizedPoints& points,
   found_ = false;
   coefficients_.setZero();
   for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const Samples& samples = samples_[k];
     const Eigen::Vector4f& plane = planes.coefficients[k];
-    const auto count = static_cast<float> (samples_[k].points);
     const float cosine = plane.head<3>().dot (height.head<3>());
-    if (count == 0.f || plane[3] < min_camera_height || cosine < min_cosine)
+    if (samples.points == 0 || plane[3] < min_camera_height || cosine < min_cosine)
       continue;
     // An error of the pose turns far points away from z = 0, one of the plane what is below
     // the robot.
-    const float off = std::min (std::abs (samples_[k].height) / count,
+    const float off = std::min (std::abs (samples.height) / samples.weight,
                                 std::abs (heightAbove (plane, base.data())) / cosine);
-    const float weight = count * (max_height - off);
+    const float nearness = std::max (max_height - off, 0.f);
+    const float weight = samples.weight * nearness * nearness;
     if (weight <= largest_weight)
       continue;
     found_ = true;
@@ -76,17 +90,18 @@ FloorPlane::sample (const OrganizedPoints& points,
 {
   const auto width = static_cast<std::size_t> (points.width);
   const auto height = static_cast<std::size_t> (points.height);
-  const std::size_t step = std::max<std::size_t> (width / 80, 1);
+  const std::size_t step_u = std::max<std::size_t> (width / 80, 1);
+  const std::size_t step_v = std::max<std::size_t> (height / 60, 1);
   const float farthest =
       std::min (noise.max_range * noise.max_range, std::numeric_limits<float>::max());
-  points_.resize ((width / step + 1) * (height / step + 1));
+  points_.resize ((width / step_u + 1) * (height / step_v + 1));
   std::size_t count = 0;
-  for (std::size_t v = step / 2; v < height; v += step)
-    for (std::size_t u = step / 2; u < width; u += step) {
+  for (std::size_t v = step_v / 2; v < height; v += step_v)
+    for (std::size_t u = step_u / 2; u < width; u += step_u) {
       const std::size_t i = v * width + u;
       const float squared_range = squaredRange (points[i]);
       // Without a branch, for which points are on planes cannot be foreseen.
-      points_[count] = {points[i], planes[i]};
+      points_[count] = {points[i], planes[i], 1.f / (squared_range * squared_range)};
       count += static_cast<std::size_t> (planes[i] < planes.coefficients.size()) &
                static_cast<std::size_t> (squared_range > 0.f) &
                static_cast<std::size_t> (squared_range <= farthest);
@@ -102,25 +117,30 @@ FloorPlane::compare (const LabelledPlanes& planes,
   for (std::size_t k = 0; k < samples_.size(); ++k)
     samples_[k].is_tilted =
         planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
-  for (const auto& [point, plane] : points_) {
+  for (const auto& [point, plane, weight] : points_) {
     if (plane == floor)
       continue;
     Samples& samples = samples_[plane];
     const float height = heightAbove (coefficients_, point);
+    const float sigmas = samples.is_tilted ? off_sigmas : level_sigmas;
+    samples.off += height * height >
+                   sigmas * sigmas * heightVariance (point, coefficients_[3], noise);
     if (samples.is_tilted)
-      samples.off +=
-          height * height >
-          off_sigmas * off_sigmas * heightVariance (point, coefficients_[3], noise);
-    else
-      samples.sigmas += height / noise.sigma (squaredRange (point));
+      continue;
+    const float level = heightOnRay (planes.coefficients[plane], coefficients_, point);
+    samples.level += weight * level;
+    samples.sigmas += weight * level / noise.sigma (squaredRange (point));
   }
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     Samples& samples = samples_[k];
+    const bool is_parallel = k != floor && !samples.is_tilted;
     const bool is_large = 4 * samples.points >= samples_[floor].points;
-    const float sigmas = is_large ? large_part_sigmas : part_sigmas;
+    const float sigmas = std::abs (samples.sigmas) / samples.weight;
     samples.is_part =
-        k != floor && !samples.is_tilted &&
-        std::abs (samples.sigmas) < sigmas * static_cast<float> (samples.points);
+        is_parallel && sigmas < (is_large ? large_part_sigmas : part_sigmas);
+    const bool is_level =
+        is_parallel && sigmas >= large_part_sigmas && samples.off < samples.points;
+    samples.level = is_level ? samples.level / samples.weight : 0.f;
   }
 }
 

@@ -100,10 +100,12 @@ NormalSpaceClusters::startMerging (std::size_t min_cell_points)
 {
   cluster_of_cell_.assign (grid_.size(), none);
   cells_.clear();
+  places_.clear();
   for (std::size_t i = 0; i < grid_.size(); ++i)
     if (grid_[i].points >= min_cell_points) {
       cluster_of_cell_[i] = static_cast<std::int32_t> (cells_.size());
       cells_.push_back ({grid_[i].sum, grid_[i].sum.normalized()});
+      places_.push_back (i);
     }
   merging_.reset (cells_);
 }
@@ -120,19 +122,16 @@ void
 NormalSpaceClusters::addNeighboursOfVoxels()
 {
   const int n = cells_per_axis_;
-  std::size_t cell = 0;
-  for (int z = 0; z < n; ++z)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x, ++cell) {
-        if (cluster_of_cell_[cell] == none)
-          continue;
-        // Half of the 26 neighbours: each pair once.
-        for (int k = 14; k < 27; ++k) {
-          const int u = x + k % 3 - 1, v = y + k / 3 % 3 - 1, w = z + k / 9 - 1;
-          if (u >= 0 && u < n && v >= 0 && v < n && w < n)
-            addNeighbours (cell, static_cast<std::size_t> ((w * n + v) * n + u));
-        }
-      }
+  for (const std::size_t cell : places_) {
+    const int place = static_cast<int> (cell);
+    const int x = place % n, y = place / n % n, z = place / (n * n);
+    // Half of the 26 neighbours: each pair once.
+    for (int k = 14; k < 27; ++k) {
+      const int u = x + k % 3 - 1, v = y + k / 3 % 3 - 1, w = z + k / 9 - 1;
+      if (u >= 0 && u < n && v >= 0 && v < n && w < n)
+        addNeighbours (cell, static_cast<std::size_t> ((w * n + v) * n + u));
+    }
+  }
 }
 
 void
@@ -171,9 +170,12 @@ NormalSpaceClusters::finishMerging (const PlaneSamples& samples,
       numbers_[i] = static_cast<std::int32_t> (mean_normals_.size());
       mean_normals_.push_back (merging_[i].mean_normal);
     }
-  for (std::int32_t& cluster : cluster_of_cell_)
-    if (cluster != none)
-      cluster = numbers_[merging_.find (static_cast<std::size_t> (cluster))];
+  points_.assign (mean_normals_.size(), 0);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const std::int32_t cluster = numbers_[merging_.find (i)];
+    cluster_of_cell_[places_[i]] = cluster;
+    points_[static_cast<std::size_t> (cluster)] += grid_[places_[i]].points;
+  }
   for (const std::uint32_t i : samples.seeds)
     labels_[i] = cluster_of_cell_[static_cast<std::size_t> (labels_[i])];
 }

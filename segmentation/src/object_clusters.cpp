@@ -20,6 +20,9 @@ namespace {
 constexpr float stretch = 3.f;
 constexpr float level_stretch = 1.5f;
 
+/** The width of the image in widths of the widest margin without depth. */
+constexpr std::uint32_t margins = 20;
+
 } // namespace
 
 void
@@ -163,6 +166,20 @@ ObjectClusters::settle (std::uint32_t i, std::size_t base) const
     if (height > 0.f)
       return settle (i, base);
   }
+  return settleBeside (i);
+}
+
+/** The place of a point that is over no hull. */
+ObjectClusters::Place
+ObjectClusters::settleBeside (std::uint32_t i) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  for (std::size_t base = 0; base < bases_.size(); ++base) {
+    const float height = heightAbove (*bases_[base], i / width, i % width);
+    if (height > 0.f && height <= parameters_.max_object_height &&
+        bases_[base]->surroundings.contains (bases_[base]->project (points_[i])))
+      return static_cast<Place> (above + base);
+  }
   return outside;
 }
 
@@ -185,6 +202,47 @@ ObjectClusters::heightAbove (const SupportPlane& support,
   const auto width = static_cast<std::uint32_t> (points_.width);
   return support.plane.distance (points_[v * width + u]) -
          support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
+}
+
+/** Cameras have margins where nothing is measured: those with nothing between them and the
+ * border, if that is near. */
+std::size_t
+ObjectClusters::pointsAtBorder (const PointRun& run) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const auto height = static_cast<std::uint32_t> (points_.height);
+  const std::uint32_t margin_u = width / margins + 1, margin_v = height / margins + 1;
+  const std::uint32_t u = run.first % width, v = run.first / width;
+  const std::uint32_t last = run.first + run.length - 1;
+  const auto isNextToBorder = [this] (std::uint32_t i, std::ptrdiff_t step) {
+    std::uint32_t k = next (i, step);
+    for (; k != i && !isMeasured (points_[k]); k = next (k, step))
+      i = k;
+    return k == i;
+  };
+  std::size_t count = (u < margin_u && isNextToBorder (run.first, -1)) +
+                      (u + run.length + margin_u > width && isNextToBorder (last, 1));
+  for (std::uint32_t i = run.first; v < margin_v && i <= last; ++i)
+    count += isNextToBorder (i, -points_.width);
+  for (std::uint32_t i = run.first; v + margin_v >= height && i <= last; ++i)
+    count += isNextToBorder (i, points_.width);
+  return count;
+}
+
+bool
+ObjectClusters::isTruncated (const std::vector<PointRun>& runs) const
+{
+  std::size_t at_border = 0;
+  for (const PointRun& run : runs)
+    at_border += pointsAtBorder (run);
+  return isTruncated (at_border);
+}
+
+bool
+ObjectClusters::isTruncated (std::size_t at_border)
+{
+  constexpr std::size_t few = 2;
+  return at_border > few;
 }
 
 void

@@ -119,8 +119,8 @@ placesOf (const Points& p,
         hn::And (hn::AndNot (is_on, is_near), hn::Gt (height, hn::Zero (Floats())));
     if (hn::AllFalse (Floats(), is_higher))
       continue;
-    const Mask is_above =
-        hn::And (is_higher, Projected (support, p).isIn (support.outline.bounds()));
+    const Mask is_above = hn::And (
+        is_higher, Projected (support, p).isIn (support.surroundings.bounds()));
     if (hn::AllFalse (Floats(), is_above))
       continue;
     const int above = static_cast<int> (2 + number);

@@ -29,8 +29,8 @@ constexpr double leaks_of_width = 0.1;
  * more than what the warp of a camera makes of planes, in standard deviations of depth. */
 constexpr float off_background_sigmas = 5.f;
 /** What ends, along a larger part of its tops, at something nearer may go on behind it: a leg
- * of a table, below the edge of its top. */
-constexpr double may_be_hidden = 0.5;
+ * of a table, below the edge of its top. What does not end there, however thin, goes on: a pole. */
+constexpr double may_go_on = 0.5;
 
 } // namespace
 
@@ -48,8 +48,11 @@ ObjectClusters::sumUp()
   });
   const LinkLimit limit = linkLimit();
   forEachRun ([&] (const PointRun& run, Sums& sums) {
-    if (isLarge (sums) && isClear (sums))
-      countLeaksAndTops (run, limit, sums);
+    if (!isLarge (sums) || !isClear (sums))
+      return;
+    sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
+    sums.at_border += pointsAtBorder (run);
+    countLeaksAndTops (run, limit, sums);
   });
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (sums.at_background > 0)
@@ -114,6 +117,22 @@ ObjectClusters::pointsOffBackground (const PointRun& run,
   return count;
 }
 
+std::size_t
+ObjectClusters::pointsOverHull (const PointRun& run, const SupportPlane& support) const
+{
+  const auto isOver = [&] (std::uint32_t i) {
+    return support.outline.contains (support.project (points_[i]));
+  };
+  const std::uint32_t end = run.first + run.length;
+  // Hulls are convex.
+  if (isOver (run.first) && isOver (end - 1))
+    return run.length;
+  std::size_t count = 0;
+  for (std::uint32_t i = run.first; i < end; ++i)
+    count += isOver (i);
+  return count;
+}
+
 template <typename Visit>
 void
 ObjectClusters::visitMargin (const PointRun& run, const Visit& visit) const
@@ -161,8 +180,9 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
     if (k == last || place_[k] == place_[i])
       return;
     ++sums.tops;
-    sums.hidden_tops += squaredRange (points_[k]) < squaredRange (points_[i]) &&
-                        !limit.allows (points_[i], points_[k]);
+    sums.going_on += limit.allows (points_[i], points_[k])
+                         ? place_[k] == outside
+                         : squaredRange (points_[k]) < squaredRange (points_[i]);
   });
 }
 
@@ -227,8 +247,11 @@ ObjectClusters::isObject (const Sums& sums) const
       std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
       leaks_of_width * std::sqrt (points);
   return isLarge (sums) && isClear (sums) &&
-         static_cast<double> (sums.hidden_tops) <=
-             may_be_hidden * static_cast<double> (sums.tops) &&
+         static_cast<double> (sums.points - sums.over_hull) <=
+             (isTruncated (sums.at_border) ? max_leaks
+                                           : (1. - over_hull_share) * points) &&
+         static_cast<double> (sums.going_on) <=
+             may_go_on * static_cast<double> (sums.tops) &&
          static_cast<double> (sums.leaks) <= max_leaks &&
          (static_cast<double> (sums.at_background) <= max_leaks ||
           static_cast<double> (sums.off_background) >= clear_of_points * points);

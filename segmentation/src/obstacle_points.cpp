@@ -104,8 +104,8 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
     return v + 1;
   }
   std::copy_n (row_.begin(), width_, &classes[first]);
-  if (frame.floor.hasParts())
-    acceptParts (frame, first, classes);
+  if (frame.floor.hasPartsOrLevels())
+    judgePlanes (frame, first, classes);
 
   const int cell_v = v / cell_size_;
   CellRow& cells = cellRow (cell_v);
@@ -125,20 +125,28 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
 }
 
 void
-ObstaclePoints::acceptParts (const ObstacleFrame& frame,
+ObstaclePoints::judgePlanes (const ObstacleFrame& frame,
                              std::size_t first,
                              std::vector<ObstacleClass>& classes) const
 {
   const std::size_t end = first + static_cast<std::size_t> (width_);
   for (std::size_t i = first; i < end; ++i) {
-    if (classes[i] == ObstacleClass::unmeasured || classes[i] == ObstacleClass::floor ||
-        !frame.floor.isPart (frame.planes[i]))
+    const std::uint32_t plane = frame.planes[i];
+    const float level = frame.floor.level (plane);
+    const bool is_part = frame.floor.isPart (plane);
+    if (classes[i] == ObstacleClass::unmeasured || (!is_part && level == 0.f))
       continue;
     const float* p = frame.points[i];
-    const float sigma = parameters_.noise.sigma (squaredRange (p));
-    if (std::abs (heightAbove (frame.floor.coefficients(), p)) <=
-        part_point_sigmas * sigma)
-      classes[i] = ObstacleClass::floor;
+    const float height = heightAbove (frame.floor.coefficients(), p);
+    if (is_part) {
+      const float sigma = parameters_.noise.sigma (squaredRange (p));
+      if (std::abs (height) <= part_point_sigmas * sigma)
+        classes[i] = ObstacleClass::floor;
+    }
+    else if (level > parameters_.min_height && height > 0.f)
+      classes[i] = ObstacleClass::obstacle;
+    else if (level < -parameters_.min_drop && height < 0.f)
+      classes[i] = ObstacleClass::drop_off;
   }
 }
 

@@ -87,8 +87,8 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
   const std::size_t first = candidates_.size(), begin = tile * PlaneSamples::tile_size;
   const std::uint16_t on_none =
       samplesWhere (&owners[begin], [] (std::int32_t owner) { return owner < 0; });
-  samples.forEachTileAround (tile, [&] (std::size_t other) {
-    for (std::size_t k = first_present_[other]; k < first_present_[other + 1]; ++k) {
+  samples.forEachRowAround (tile, [&] (std::size_t left, std::size_t end) {
+    for (std::size_t k = first_present_[left]; k < first_present_[end]; ++k) {
       const std::uint32_t plane = present_[k];
       const auto is_known = [plane] (const TilePlane& candidate) {
         return candidate.number == plane;

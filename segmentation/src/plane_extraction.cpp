@@ -165,7 +165,6 @@ PlaneExtraction::findParts()
     distance_clusters_.compute (
         samples_, normal_clusters_, min_candidate, parameters_.additions.peaks);
     components_.compute (samples_,
-                         samples_.seeds,
                          distance_clusters_.labels(),
                          min_candidate,
                          parameters_.additions.parts);
@@ -180,8 +179,7 @@ PlaneExtraction::growParts()
 {
   for (const auto& component : components_.components()) {
     const auto normal_cluster = static_cast<std::size_t> (
-        distance_clusters_
-            .normalClusters()[static_cast<std::size_t> (component.cluster)]);
+        distance_clusters_.normalClusters()[component.cluster()]);
     switch (growth_.grow (
         samples_, component, normal_clusters_.meanNormals()[normal_cluster])) {
     case PlaneGrowth::Result::plane:

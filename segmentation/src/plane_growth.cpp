@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "each_bit.h"
 #include "plane_kernels.h"
 #include "surface_turn.h"
+#include "tile_bits.h"
 
 #include <pcl/segmentation/plane_growth.h>
 
@@ -47,12 +49,12 @@ PlaneGrowth::reset (const PlaneSamples& samples,
   claimed_.assign (samples.size(), 0.f);
   const std::size_t tiles = samples.tiles();
   counts_.assign (tiles, 0);
-  free_.assign (tiles, 0);
-  looked_at_.assign (tiles, 0);
-  near_.assign (tiles, 0);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    free_[i / PlaneSamples::tile_size] = static_cast<std::uint8_t> (
-        free_[i / PlaneSamples::tile_size] + samples.isFree (i));
+  looks_.assign (tiles, Look::none);
+  free_.resize (tiles);
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+    free_[tile] = static_cast<std::uint8_t> (
+        count (samplesWhere (&samples.sigma[tile * PlaneSamples::tile_size],
+                             [] (float sigma) { return sigma >= 0.f; })));
 }
 
 PlaneGrowth::Result
@@ -90,19 +92,21 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
 {
   seed_tiles_.clear();
   std::size_t number = 0;
-  for (const std::uint32_t* i = seed.begin; i != seed.end; ++i) {
-    if (!samples.isFree (*i))
+  for (const TilePart* part = seed.first; part != seed.last;) {
+    const std::uint32_t tile = part->tile;
+    unsigned own = 0;
+    for (; part != seed.last && part->tile == tile; ++part)
+      own |= part->own;
+    const std::uint16_t claimed =
+        claimPart (samples, tile, static_cast<std::uint16_t> (own), claimed_.data());
+    if (claimed == 0)
       continue;
-    const auto tile = static_cast<std::uint32_t> (*i / PlaneSamples::tile_size);
-    if (number == 0)
-      reference_ = {samples.x[*i], samples.y[*i], samples.z[*i]};
-    if (number == 0 || seed_tiles_.back() != tile) {
-      seed_tiles_.push_back (tile);
-      std::fill_n (
-          &claimed_[tile * PlaneSamples::tile_size], PlaneSamples::tile_size, 0.f);
+    if (number == 0) {
+      const std::size_t first = tile * PlaneSamples::tile_size + lowestBit (claimed);
+      reference_ = {samples.x[first], samples.y[first], samples.z[first]};
     }
-    claimed_[*i] = samples.weight[*i];
-    ++number;
+    seed_tiles_.push_back (tile);
+    number += count (claimed);
   }
   const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
   if (number > 0)
@@ -169,8 +173,6 @@ PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
   tiles_.clear();
   seen_.clear();
   const auto lookAt = [&] (std::uint32_t tile) {
-    if (std::exchange (looked_at_[tile], std::uint8_t{1}))
-      return;
     seen_.push_back (tile);
     counts_[tile] = free_[tile] > 0
                         ? claimTile (samples, tile, plane, max_sigmas, claimed_.data())
@@ -178,18 +180,21 @@ PlaneGrowth::claimConnected (const PlaneSamples& samples, float max_sigmas)
     if (counts_[tile] >= min_tile_points)
       connected_.push_back (tile);
   };
-  for (const std::uint32_t tile : seed_tiles_)
+  for (const std::uint32_t tile : seed_tiles_) {
     lookAt (tile);
+    looks_[tile] = Look::at_seed;
+  }
   for (std::size_t k = 0; k < connected_.size(); ++k)
     samples.forEachTileAround (connected_[k], [&] (std::uint32_t tile) {
-      lookAt (tile);
-      if (!near_[tile] && counts_[tile] > 0) {
-        near_[tile] = 1;
+      if (looks_[tile] == Look::done)
+        return;
+      if (std::exchange (looks_[tile], Look::done) == Look::none)
+        lookAt (tile);
+      if (counts_[tile] > 0)
         tiles_.push_back (tile);
-      }
     });
   for (const std::uint32_t tile : seen_)
-    looked_at_[tile] = near_[tile] = 0;
+    looks_[tile] = Look::none;
 }
 
 PlaneMoments
@@ -229,12 +234,7 @@ void
 PlaneGrowth::take (PlaneSamples& samples, std::int32_t owner)
 {
   for (const std::uint32_t tile : tiles_) {
-    const std::size_t begin = tile * PlaneSamples::tile_size;
-    for (std::size_t i = begin; i < begin + PlaneSamples::tile_size; ++i)
-      if (claimed_[i] > 0.f) {
-        owners_[i] = owner;
-        samples.sigma[i] = samples.relative_sigma[i] = -1.f;
-      }
+    takeTile (samples, tile, claimed_.data(), owner, owners_.data());
     free_[tile] = static_cast<std::uint8_t> (free_[tile] - counts_[tile]);
   }
 }

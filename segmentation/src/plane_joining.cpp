@@ -77,10 +77,12 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
 void
 PlaneJoining::computeStrips (const std::vector<PlaneMoments>& parts)
 {
+  widths_.resize (parts.size());
+  std::transform (parts.begin(), parts.end(), widths_.begin(), widthOf);
   join (parts, [&] (std::size_t plane, std::size_t part) {
     const PlaneMoments &a = planes_[plane], &b = parts[part];
     const double apart = (a.mean() - b.mean()).norm() / min_widths_apart;
-    if (!(apart >= widthOf (b) && apart >= widthOf (a)))
+    if (!(apart >= widths_[part] && apart >= widthOf (a)))
       return 2.;
     return growth (a, b) / (max_strip_growth * max_strip_growth);
   });

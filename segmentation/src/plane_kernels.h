@@ -50,6 +50,23 @@ claimTile (const PlaneSamples& samples,
            float max_sigmas,
            float* claimed);
 
+/** Marks the free samples of \a tile that are of \a own, likewise.
+ * \return these samples
+ */
+std::uint16_t
+claimPart (const PlaneSamples& samples,
+           std::size_t tile,
+           std::uint16_t own,
+           float* claimed);
+
+/** Gives the claimed samples of \a tile to \a owner: they are no longer free. */
+void
+takeTile (PlaneSamples& samples,
+          std::size_t tile,
+          const float* claimed,
+          std::int32_t owner,
+          std::int32_t* owners);
+
 /** Sums, weighted by \a claimed, of 1, x, y, z, xx, xy, xz, yy, yz, zz, relative to
  * \a reference. */
 void

@@ -30,12 +30,14 @@ PlaneAssignment::findIntersections (const PlaneSamples& samples,
   setEquations (planes);
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
     const TilePlanes around = planesOf (tile);
+    if (around.size() < 2)
+      continue;
     const std::size_t begin = tile * PlaneSamples::tile_size;
     const PointBlock points = samplesFrom (samples, begin);
     const std::uint32_t* labels = &sample_labels_[begin];
     for (const TilePlane& plane : around) {
       const auto is_own = [&] (std::uint32_t label) { return label == plane.number; };
-      if (around.size() < 2 || samplesWhere (labels, is_own) == 0)
+      if (samplesWhere (labels, is_own) == 0)
         continue;
       for (const TilePlane& other : around) {
         if (plane.number == other.number)
@@ -90,8 +92,10 @@ PlaneAssignment::findUnclear (const PointBlock& points,
   const TilePlanes around = planesOf (tile);
   for (const TilePlane& plane : around)
     for (const TilePlane& other : around) {
+      if (plane.number == other.number)
+        continue;
       const SeenPlane seen = intersections_.between (plane.number, other.number);
-      if (plane.number == other.number || seen == SeenPlane::unknown)
+      if (seen == SeenPlane::unknown)
         continue;
       if (!std::exchange (is_any, true))
         std::copy_n (own, PlaneSamples::tile_size, tile_labels_.begin());

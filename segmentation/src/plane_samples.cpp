@@ -55,24 +55,12 @@ PlaneSamples::resize (int image_width, int image_height)
   for (auto* values : {&curvature, &sigma, &relative_sigma, &weight, &min_cosine})
     values->resize (size);
   if (width != old_width || height != old_height)
-    findNeighbours();
+    findTilesAround();
 }
 
 void
-PlaneSamples::findNeighbours()
+PlaneSamples::findTilesAround()
 {
-  neighbours.resize (size());
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u) {
-      const auto neighbour = [&] (int other_u, int other_v) {
-        const bool inside = other_u >= 0 && other_u < width && other_v >= 0;
-        return static_cast<std::uint32_t> (inside ? at (other_u, other_v) : at (u, v));
-      };
-      neighbours[at (u, v)] = {neighbour (u - 1, v),
-                               neighbour (u - 1, v - 1),
-                               neighbour (u, v - 1),
-                               neighbour (u + 1, v - 1)};
-    }
   around_.clear();
   for (int v = 0; v < tiles_v; ++v)
     for (int u = 0; u < tiles_u; ++u)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "tile_bits.h"
+
 #include <pcl/segmentation/sample_components.h>
 
 #include <algorithm>
@@ -12,89 +14,127 @@ namespace {
 
 constexpr std::uint32_t nowhere = 0xffffffff;
 
+/** The samples of \a own that hang together with its first one. */
+std::uint16_t
+firstPiece (std::uint16_t own)
+{
+  auto piece = static_cast<std::uint16_t> (own & -own), before = std::uint16_t{0};
+  while (piece != before) {
+    before = piece;
+    piece = static_cast<std::uint16_t> (dilate (piece) & own);
+  }
+  return piece;
+}
+
 } // namespace
 
 void
-SampleComponents::joinNeighbours (const PlaneSamples& samples,
-                                  const std::vector<std::uint32_t>& clustered,
-                                  const std::vector<std::int32_t>& clusters)
+SampleComponents::findPieces (const PlaneSamples& samples, bool connected)
 {
-  for (const std::uint32_t i : clustered) {
-    if (clusters[i] < 0)
-      continue;
-    const auto joined = [&] (std::uint32_t neighbour) {
-      const bool same = neighbour != i && clusters[neighbour] == clusters[i];
-      if (same)
-        sets_.join (i, neighbour);
-      return same;
-    };
-    const auto& around = samples.neighbours[i];
-    // Neighbours that touch each other are joined without this sample.
-    if (joined (around.above))
-      continue;
-    if (!joined (around.left))
-      joined (around.above_left);
-    joined (around.above_right);
+  pieces_.clear();
+  first_of_tile_.clear();
+  for (TilePart part : parts_) {
+    first_of_tile_.resize (part.tile + 1, static_cast<std::uint32_t> (pieces_.size()));
+    while (part.own != 0) {
+      const std::uint16_t piece = connected ? firstPiece (part.own) : part.own;
+      pieces_.push_back ({part.plane, part.tile, piece});
+      part.own = static_cast<std::uint16_t> (part.own & ~piece);
+    }
+  }
+  first_of_tile_.resize (samples.tiles() + 1,
+                         static_cast<std::uint32_t> (pieces_.size()));
+  sets_.resize (pieces_.size());
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k)
+    sets_.add (k);
+}
+
+/** Joins pieces with those in the tiles to the left and above that they touch. */
+void
+SampleComponents::joinNeighbours (const PlaneSamples& samples)
+{
+  const auto columns = static_cast<std::uint32_t> (samples.tiles_u);
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    const TilePart piece = pieces_[k];
+    // Tiles from \a first on, and where pieces in these would touch this one.
+    const auto joinIn =
+        [&] (std::uint32_t first, std::uint32_t tiles, const unsigned* touched) {
+          for (std::uint32_t other = first_of_tile_[first];
+               other < first_of_tile_[first + tiles];
+               ++other)
+            if (pieces_[other].plane == piece.plane &&
+                (pieces_[other].own & touched[pieces_[other].tile - first]) != 0)
+              sets_.join (other, k);
+        };
+    const TouchedSamples touched = samplesTouchedBy (piece.own);
+    const std::uint32_t column = piece.tile % columns;
+    const std::uint32_t left = column > 0, right = column + 1 < columns;
+    if (left && touched.left)
+      joinIn (piece.tile - 1, 1, &touched.left);
+    if (piece.tile >= columns)
+      joinIn (piece.tile - columns - left, left + 1 + right, touched.above + 1 - left);
   }
 }
 
 void
-SampleComponents::joinClusters (const std::vector<std::uint32_t>& clustered,
-                                const std::vector<std::int32_t>& clusters)
+SampleComponents::joinClusters (const PlaneSamples& samples)
 {
-  places_.assign (places_.size(), nowhere);
-  for (const std::uint32_t i : clustered)
-    if (clusters[i] >= 0) {
-      std::uint32_t& first = places_[static_cast<std::size_t> (clusters[i])];
-      first = std::min (first, i);
-      sets_.join (first, i);
-    }
+  places_.assign (samples.size(), nowhere);
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    std::uint32_t& first = places_[pieces_[k].plane];
+    if (first == nowhere)
+      first = k;
+    sets_.join (first, k);
+  }
 }
 
 void
 SampleComponents::compute (const PlaneSamples& samples,
-                           const std::vector<std::uint32_t>& clustered,
                            const std::vector<std::int32_t>& clusters,
                            std::size_t min_points,
                            bool connected)
 {
-  sets_.resize (samples.size());
-  roots_.resize (samples.size());
-  places_.resize (samples.size());
-  for (const std::uint32_t i : clustered)
-    sets_.add (i);
+  findTileParts (clusters, parts_);
+  findPieces (samples, connected);
   if (connected)
-    joinNeighbours (samples, clustered, clusters);
+    joinNeighbours (samples);
   else
-    joinClusters (clustered, clusters);
-  for (const std::uint32_t i : clustered)
-    places_[i] = 0;
-  for (const std::uint32_t i : clustered)
-    if (clusters[i] >= 0) {
-      roots_[i] = sets_.root (i);
-      ++places_[roots_[i]];
-    }
+    joinClusters (samples);
+  listComponents (min_points);
+}
 
-  members_.resize (samples.size());
+void
+SampleComponents::listComponents (std::size_t min_points)
+{
+  samples_.assign (pieces_.size(), 0);
+  places_.assign (pieces_.size(), 0);
+  roots_.resize (pieces_.size());
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    const std::uint32_t root = roots_[k] = sets_.root (k);
+    samples_[root] += static_cast<std::uint32_t> (count (pieces_[k].own));
+    ++places_[root];
+  }
+  members_.resize (pieces_.size());
   components_.clear();
   std::uint32_t end = 0;
-  for (const std::uint32_t i : clustered) {
-    const std::uint32_t count = places_[i];
-    if (count == 0)
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    const std::uint32_t number = places_[k];
+    if (number == 0)
       continue;
-    places_[i] = count >= min_points ? end : nowhere;
-    if (count >= min_points) {
-      components_.push_back ({&members_[end], &members_[end] + count, clusters[i]});
-      end += count;
+    places_[k] = samples_[k] >= min_points ? end : nowhere;
+    if (samples_[k] >= min_points) {
+      const TilePart* first = &members_[end];
+      components_.push_back ({first, first + number, samples_[k]});
+      end += number;
     }
   }
-  for (const std::uint32_t i : clustered)
-    if (clusters[i] >= 0 && places_[roots_[i]] != nowhere)
-      members_[places_[roots_[i]]++] = i;
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k)
+    if (std::uint32_t& place = places_[roots_[k]]; place != nowhere)
+      members_[place++] = pieces_[k];
   std::sort (components_.begin(),
              components_.end(),
              [] (const Component& a, const Component& b) {
-               return a.size() != b.size() ? a.size() > b.size() : a.begin < b.begin;
+               return a.samples != b.samples ? a.samples > b.samples
+                                             : a.first < b.first;
              });
 }
 

@@ -94,6 +94,48 @@ claimTileHere (const PlaneSamples& samples,
   return static_cast<std::uint8_t> (number);
 }
 
+std::uint16_t
+claimPartHere (const PlaneSamples& samples,
+               std::size_t tile,
+               std::uint16_t own,
+               float* claimed)
+{
+  const std::size_t begin = tile * PlaneSamples::tile_size;
+  unsigned result = 0;
+  forEachVectorFrom (begin, [&] (std::size_t i) {
+    const auto bits = static_cast<std::uint16_t> (own >> (i - begin));
+    const Mask is_own =
+        hn::LoadMaskBits (Floats(), reinterpret_cast<const std::uint8_t*> (&bits));
+    const Mask on =
+        hn::And (is_own, hn::Ge (load (&samples.sigma[i]), hn::Zero (Floats())));
+    hn::StoreU (
+        hn::IfThenElseZero (on, load (&samples.weight[i])), Floats(), claimed + i);
+    result |= bitsOf (on) << (i - begin);
+  });
+  return static_cast<std::uint16_t> (result);
+}
+
+void
+takeTileHere (PlaneSamples& samples,
+              std::size_t tile,
+              const float* claimed,
+              std::int32_t owner,
+              std::int32_t* owners)
+{
+  forEachVectorFrom (tile * PlaneSamples::tile_size, [&] (std::size_t i) {
+    const Mask on = hn::Gt (load (claimed + i), hn::Zero (Floats()));
+    for (auto* sigmas : {&samples.sigma, &samples.relative_sigma})
+      hn::StoreU (hn::IfThenElse (on, set (-1.f), load (&(*sigmas)[i])),
+                  Floats(),
+                  &(*sigmas)[i]);
+    hn::StoreU (hn::IfThenElse (hn::RebindMask (Ints(), on),
+                                hn::Set (Ints(), owner),
+                                hn::LoadU (Ints(), owners + i)),
+                Ints(),
+                owners + i);
+  });
+}
+
 void
 sumSamplesHere (const PlaneSamples& samples,
                 const std::vector<std::uint32_t>& tiles,
@@ -141,6 +183,8 @@ namespace rgbd_planes {
 
 HWY_EXPORT (judgeSamplesHere);
 HWY_EXPORT (claimTileHere);
+HWY_EXPORT (claimPartHere);
+HWY_EXPORT (takeTileHere);
 HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (samplesAtPlaneHere);
 
@@ -159,6 +203,25 @@ claimTile (const PlaneSamples& samples,
 {
   return HWY_DYNAMIC_DISPATCH (claimTileHere) (
       samples, tile, plane, max_sigmas, claimed);
+}
+
+std::uint16_t
+claimPart (const PlaneSamples& samples,
+           std::size_t tile,
+           std::uint16_t own,
+           float* claimed)
+{
+  return HWY_DYNAMIC_DISPATCH (claimPartHere) (samples, tile, own, claimed);
+}
+
+void
+takeTile (PlaneSamples& samples,
+          std::size_t tile,
+          const float* claimed,
+          std::int32_t owner,
+          std::int32_t* owners)
+{
+  HWY_DYNAMIC_DISPATCH (takeTileHere) (samples, tile, claimed, owner, owners);
 }
 
 void

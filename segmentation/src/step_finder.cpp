@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "step_kernels.h"
+
 #include <pcl/segmentation/step_finder.h>
 
 #include <Eigen/LU>
@@ -15,60 +17,41 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Samples on either side of a line whose mean errors are compared, and how many of them
- * there must be: an edge of a table is only two or three samples thick. */
-constexpr int depth = 4;
-constexpr float min_in_depth = 2.f;
 /** Errors jump by so much at an edge, and by so much in the mean of so many places or more
  * along a step. */
 constexpr float min_edge = 1.f, min_jump = 1.4f;
-constexpr int min_places = 4;
+constexpr std::size_t min_places = 4;
 constexpr float min_votes = min_places * min_edge;
 /** The shift of the surface behind a step, and what it leaves of the root mean square of
  * the errors. */
 constexpr double min_height = 1.6, max_left = 0.95;
+constexpr std::size_t longest_vector = 16;
+/** Where samples that fill up a vector are: behind no line. */
+constexpr float nowhere = -std::numeric_limits<float>::infinity();
 
-Eigen::Matrix<double, 6, 1>
-surfaceTerms (const Eigen::Array<float, 8, 1>& terms)
-{
-  return terms.head<6>().cast<double>().matrix();
-}
+using Products = Eigen::Matrix<double, 6, 6>;
 
 } // namespace
-
-void
-StepFinder::resize (int width, int height)
-{
-  const int stride = width + 2 * margin;
-  const auto size = static_cast<std::size_t> (stride * (height + 2 * margin));
-  if (stride == stride_ && size == errors_.size())
-    return;
-  stride_ = stride;
-  for (auto* values : {&errors_, &own_, &jumps_})
-    values->assign (size, 0.f);
-}
 
 bool
 StepFinder::find (const std::vector<SampleError>& samples,
                   std::size_t min_side,
                   GridLine& step)
 {
+  if (samples.size() < min_places)
+    return false;
   layOut (samples);
   lines_.clear();
   for (const bool is_steep : {false, true}) {
     findEdges (samples, is_steep);
     findLines (is_steep);
-    for (const SampleError& sample : samples)
-      jumps_[place (sample.u, sample.v)] = 0.f;
   }
-  for (const SampleError& sample : samples)
-    errors_[place (sample.u, sample.v)] = own_[place (sample.u, sample.v)] = 0.f;
   if (lines_.empty())
     return false;
   fitSurface (samples);
   double most = 0.;
   for (const GridLine& line : lines_) {
-    const double gain = gainOf (samples, line, min_side);
+    const double gain = gainOf (line, samples.size(), min_side);
     if (gain > most) {
       most = gain;
       step = line;
@@ -90,6 +73,12 @@ StepFinder::layOut (const std::vector<SampleError>& samples)
       first_[k] = std::min (first_[k], at[k]);
       last_[k] = std::max (last_[k], at[k]);
     }
+  }
+  stride_ = last_[0] - first_[0] + 1 + 2 * margin;
+  const int rows = last_[1] - first_[1] + 1 + 2 * margin;
+  for (auto* values : {&errors_, &own_, &jumps_})
+    values->assign (static_cast<std::size_t> (stride_ * rows) + longest_vector, 0.f);
+  for (const SampleError& sample : samples) {
     errors_[place (sample.u, sample.v)] = sample.error;
     own_[place (sample.u, sample.v)] = 1.f;
   }
@@ -99,18 +88,12 @@ void
 StepFinder::findEdges (const std::vector<SampleError>& samples, bool is_steep)
 {
   const std::size_t across = is_steep ? 1 : static_cast<std::size_t> (stride_);
-  for (const SampleError& sample : samples) {
-    const std::size_t at = place (sample.u, sample.v);
-    float before = 0.f, behind = 0.f, number_before = 0.f, number_behind = 0.f;
-    for (std::size_t k = 0; k < depth; ++k) {
-      before += errors_[at - k * across];
-      number_before += own_[at - k * across];
-      behind += errors_[at + (k + 1) * across];
-      number_behind += own_[at + (k + 1) * across];
-    }
-    if (number_before >= min_in_depth && number_behind >= min_in_depth)
-      jumps_[at] = before / number_before - behind / number_behind;
-  }
+  findJumps (errors_.data(),
+             own_.data(),
+             place (first_[0], first_[1]),
+             place (last_[0], last_[1]) + 1,
+             across,
+             jumps_.data());
   for (auto* values : {&edges_.along, &edges_.across, &edges_.jump})
     values->clear();
   for (const SampleError& sample : samples) {
@@ -129,7 +112,7 @@ StepFinder::findEdges (const std::vector<SampleError>& samples, bool is_steep)
 void
 StepFinder::findLines (bool is_steep)
 {
-  if (edges_.size() < static_cast<std::size_t> (min_places))
+  if (edges_.size() < min_places)
     return;
   const auto ends = std::minmax_element (edges_.along.begin(), edges_.along.end());
   const float middle = 0.5f * (*ends.first + *ends.second);
@@ -175,83 +158,89 @@ bool
 StepFinder::jumpsAlong (const GridLine& line) const
 {
   const int k = line.is_steep ? 1 : 0;
+  const auto first = static_cast<float> (first_[1 - k]),
+             last = static_cast<float> (last_[1 - k] + 1);
   const auto acrossAt = [&line] (int along) {
     return line.slope * static_cast<float> (along) + line.offset;
   };
-  const auto isInside = [&,
-                         first = static_cast<float> (first_[1 - k]),
-                         end = static_cast<float> (last_[1 - k] + 1)] (int along) {
-    return acrossAt (along) >= first && acrossAt (along) < end;
+  const auto isInside = [&] (int along) {
+    return acrossAt (along) >= first && acrossAt (along) < last;
   };
   int begin = first_[k], end = last_[k] + 1;
+  if (line.slope != 0.f) { // The line enters and leaves the grid here, or beside.
+    const auto [enters, leaves] = std::minmax (
+        {(first - line.offset) / line.slope, (last - line.offset) / line.slope});
+    begin = std::max (begin, static_cast<int> (enters) - 1);
+    end = std::min (end, static_cast<int> (leaves) + 2);
+  }
   while (begin < end && !isInside (begin))
     ++begin;
   while (begin < end && !isInside (end - 1))
     --end;
-  const std::ptrdiff_t along_step = line.is_steep ? stride_ : 1,
-                       across_step = line.is_steep ? 1 : stride_;
-  const float* jumps = &jumps_[place (0, 0)];
+  const int along_step = line.is_steep ? stride_ : 1,
+            across_step = line.is_steep ? 1 : stride_;
+  const int origin = (margin - first_[1]) * stride_ + margin - first_[0];
   float sum = 0.f;
   int places = 0;
   for (int along = begin; along < end; ++along) {
-    const float jump =
-        jumps[along * along_step + static_cast<int> (acrossAt (along)) * across_step];
+    const int across = static_cast<int> (acrossAt (along));
+    const float jump = jumps_[static_cast<std::size_t> (origin + along * along_step +
+                                                        across * across_step)];
     sum += jump;
     places += jump != 0.f;
   }
-  return places >= min_places &&
+  return places >= static_cast<int> (min_places) &&
          std::abs (sum) >= min_jump * static_cast<float> (places);
 }
 
 void
 StepFinder::fitSurface (const std::vector<SampleError>& samples)
 {
-  terms_.resize (samples.size());
+  const std::size_t size =
+      (samples.size() + longest_vector - 1) / longest_vector * longest_vector;
+  surface_.columns.assign (size, nowhere);
+  surface_.rows.assign (size, nowhere);
+  for (auto* values : {&surface_.u, &surface_.v, &surface_.errors})
+    values->assign (size, 0.f);
   const auto scaled = [this] (int value, int k) {
     return static_cast<float> (2 * value - first_[k] - last_[k]) /
            static_cast<float> (last_[k] - first_[k] + 1);
   };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    surface_.columns[i] = static_cast<float> (samples[i].u);
+    surface_.rows[i] = static_cast<float> (samples[i].v);
+    surface_.u[i] = scaled (samples[i].u, 0);
+    surface_.v[i] = scaled (samples[i].v, 1);
+    surface_.errors[i] = samples[i].error;
+  }
+  float sums[7][7];
+  sumProducts (surface_, sums);
+  const Eigen::Matrix<double, 7, 7> products =
+      Eigen::Map<Eigen::Matrix<float, 7, 7>> (*sums).cast<double>();
   // Samples on a curve of second order determine no surface.
-  Eigen::Matrix<double, 6, 6> products = 1e-6 * Eigen::Matrix<double, 6, 6>::Identity();
-  Eigen::Matrix<double, 6, 1> sums = Eigen::Matrix<double, 6, 1>::Zero();
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float u = scaled (samples[i].u, 0), v = scaled (samples[i].v, 1);
-    terms_[i] << 1.f, u, v, u * u, u * v, v * v, 0.f, 0.f;
-    const Eigen::Matrix<double, 6, 1> terms = surfaceTerms (terms_[i]);
-    products += terms * terms.transpose();
-    sums += samples[i].error * terms;
-  }
-  inverse_ = products.inverse();
-  Terms surface = Terms::Zero();
-  surface.head<6>() = (inverse_ * sums).cast<float>();
-  squares_ = 0.;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float error = samples[i].error - (surface * terms_[i]).sum();
-    terms_[i][left] = error;
-    squares_ += error * error;
-  }
+  inverse_ = (products.topLeftCorner<6, 6>() + 1e-6 * Products::Identity()).inverse();
+  fitted_ << -inverse_ * products.topRightCorner<6, 1>(), 1.;
+  squares_ = fitted_.dot (products * fitted_);
 }
 
 /** By how much the sum of the squares of the errors falls when the surface behind the
  * line is shifted, and all of it fitted anew; 0 where it is shifted by too little. */
 double
-StepFinder::gainOf (const std::vector<SampleError>& samples,
-                    const GridLine& line,
+StepFinder::gainOf (const GridLine& line,
+                    std::size_t samples,
                     std::size_t min_side) const
 {
-  Terms sums = Terms::Zero();
-  std::size_t behind = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (line.isBehind (samples[i].u, samples[i].v)) {
-      sums += terms_[i];
-      ++behind;
-    }
-  if (behind < min_side || samples.size() - behind < min_side)
+  float sums[7];
+  sumBehind (surface_, line, sums);
+  const auto behind = static_cast<std::size_t> (sums[0]);
+  if (behind < min_side || samples - behind < min_side)
     return 0.;
-  const Eigen::Matrix<double, 6, 1> t = surfaceTerms (sums);
-  const double free = static_cast<double> (behind) - t.dot (inverse_ * t);
-  const double height = sums[left] / free;
-  return free >= 1. && std::abs (height) >= min_height ? sums[left] * height : 0.;
+  const Eigen::Matrix<double, 7, 1> terms =
+      Eigen::Map<Eigen::Matrix<float, 7, 1>> (sums).cast<double>();
+  const double left = fitted_.dot (terms);
+  const double free = sums[0] - terms.head<6>().dot (inverse_ * terms.head<6>());
+  const double height = left / free;
+  return free >= 1. && std::abs (height) >= min_height ? left * height : 0.;
 }
 
 } // namespace rgbd_planes

@@ -13,9 +13,12 @@ namespace {
 /** Errors are in thirds of the distance that points may have, which are standard deviations
  * of depth unless these are said to be smaller than those of single points. */
 constexpr float reach = 3.f;
-/** Planes with steps have larger errors, and fewer of the samples of the image: the large
- * errors of large planes are those of the sensor. */
-constexpr double min_error = 0.8, max_share = 0.08;
+/** Planes with steps have larger errors. Those of planes with more of the samples of the image
+ * are larger without, for these are errors of the sensor. */
+constexpr double min_error = 0.8, min_error_if_large = 1.15;
+constexpr double large_share = 0.08;
+/** So many steps are taken from a large plane. */
+constexpr int max_steps = 3;
 /** The error of what lies on a plane. */
 constexpr double max_error = 1.5;
 
@@ -49,41 +52,56 @@ StepSplit::compute (const PlaneSamples& samples,
                     std::vector<TilePart>& parts,
                     std::vector<PlaneMoments>& planes)
 {
-  finder_.resize (samples.width, samples.height);
+  const double large = large_share * samples.width * samples.height;
   const float unit = max_sigmas / reach;
-  const double least = min_error * unit;
-  const double max_points = max_share * samples.width * samples.height;
-  const std::size_t number = planes.size();
-  for (std::size_t k = 0; k < number; ++k) {
-    const Eigen::Vector3d m = planes[k].inverseDistance();
-    if (static_cast<double> (planes[k].points) > max_points ||
-        !(planes[k].meanSquaredError (m) >= least * least))
-      continue;
-    collect (samples, parts, static_cast<std::uint32_t> (k), m, unit);
-    GridLine step;
-    if (!finder_.find (errors_, min_side, step))
-      continue;
-    PlaneMoments sides[2];
-    for (const SampleError& e : errors_) {
-      const float p[] = {samples.x[e.sample], samples.y[e.sample], samples.z[e.sample]};
-      sides[step.isBehind (e.u, e.v)].add (p, samples.weight[e.sample]);
-    }
-    const std::size_t smaller = sides[1].points < sides[0].points;
-    if (!sides[0].inverseDistance().allFinite() ||
-        !sides[1].inverseDistance().allFinite())
-      continue;
-    std::size_t owner = planeUnder (sides[smaller], planes, k, max_error * unit);
-    if (owner == k) {
-      owner = planes.size();
-      planes.emplace_back();
-    }
-    planes[owner] += sides[smaller];
-    planes[k] = sides[1 - smaller];
-    for (const SampleError& e : errors_)
-      if (step.isBehind (e.u, e.v) == (smaller == 1))
-        owners[e.sample] = static_cast<std::int32_t> (owner);
-    findTileParts (owners, parts);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const bool is_large = static_cast<double> (planes[k].points) > large;
+    const double least = unit * (is_large ? min_error_if_large : min_error);
+    for (int steps = is_large ? max_steps : 1; steps > 0; --steps)
+      if (!splitOnce (samples, k, min_side, least, unit, owners, parts, planes))
+        break;
   }
+}
+
+/** Whether the plane has a step; its smaller side is taken from it. */
+bool
+StepSplit::splitOnce (const PlaneSamples& samples,
+                      std::size_t k,
+                      std::size_t min_side,
+                      double least_error,
+                      float unit,
+                      std::vector<std::int32_t>& owners,
+                      std::vector<TilePart>& parts,
+                      std::vector<PlaneMoments>& planes)
+{
+  const Eigen::Vector3d m = planes[k].inverseDistance();
+  if (!(planes[k].meanSquaredError (m) >= least_error * least_error))
+    return false;
+  collect (samples, parts, static_cast<std::uint32_t> (k), m, unit);
+  GridLine step;
+  if (!finder_.find (errors_, min_side, step))
+    return false;
+  PlaneMoments sides[2];
+  for (const SampleError& e : errors_) {
+    const float p[] = {samples.x[e.sample], samples.y[e.sample], samples.z[e.sample]};
+    sides[step.isBehind (e.u, e.v)].add (p, samples.weight[e.sample]);
+  }
+  const std::size_t smaller = sides[1].points < sides[0].points;
+  if (!sides[0].inverseDistance().allFinite() ||
+      !sides[1].inverseDistance().allFinite())
+    return false;
+  std::size_t owner = planeUnder (sides[smaller], planes, k, max_error * unit);
+  if (owner == k) {
+    owner = planes.size();
+    planes.emplace_back();
+  }
+  planes[owner] += sides[smaller];
+  planes[k] = sides[1 - smaller];
+  for (const SampleError& e : errors_)
+    if (step.isBehind (e.u, e.v) == (smaller == 1))
+      owners[e.sample] = static_cast<std::int32_t> (owner);
+  findTileParts (owners, parts);
+  return true;
 }
 
 /** Lists the samples of a plane, and how far they are off m * p = 1. */

@@ -151,13 +151,16 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
 {
   background_.clear();
   for (const auto& plane : planes) {
-    const auto isElsewhere = [&] (const float* p) {
-      return std::all_of (
-          supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
-            return levelOf (p, support, parameters) == Level::elsewhere;
-          });
+    const auto isAtOneOf = [&] (Reach reach) {
+      return shareOf (points, *plane.inliers, [&] (const float* p) {
+        return std::any_of (
+            supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+              return levelOf (p, support, reach, parameters) != Level::elsewhere;
+            });
+      });
     };
-    if (shareOf (points, *plane.inliers, isElsewhere).isAtLeast (background_share))
+    if (!isAtOneOf (Reach::surroundings).isAtLeast (1. - background_share) ||
+        !isAtOneOf (Reach::outline).isAtLeast (over_hull_share))
       background_.push_back (plane);
   }
 }
@@ -168,16 +171,20 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
                                     const ObjectParameters& parameters)
 {
   for (std::size_t k = supports_.size(); k-- > 0;) { // the lowest first
-    const auto isOnLower = [&] (const float* p) {
-      return std::any_of (supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
-                          supports_.end(),
-                          [&] (const SupportPlane& lower) {
-                            return !lower.is_on_object &&
-                                   levelOf (p, lower, parameters) != Level::elsewhere;
-                          });
+    const auto isOnLower = [&] (Reach reach) {
+      const auto& inliers = *planes[supports_[k].index].inliers;
+      return shareOf (points, inliers, [&] (const float* p) {
+        return std::any_of (supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
+                            supports_.end(),
+                            [&] (const SupportPlane& lower) {
+                              return !lower.is_on_object &&
+                                     levelOf (p, lower, reach, parameters) !=
+                                         Level::elsewhere;
+                            });
+      });
     };
-    supports_[k].is_on_object =
-        shareOf (points, *planes[supports_[k].index].inliers, isOnLower).isMost();
+    supports_[k].is_on_object = isOnLower (Reach::surroundings).isMost() &&
+                                isOnLower (Reach::outline).isAtLeast (over_hull_share);
   }
 }
 
@@ -239,6 +246,9 @@ SupportPlanes::outline (const OrganizedPoints& points,
     row = next_row;
   }
   support.outline.compute (border_, parameters.hull_tolerance);
+  border_ = support.outline.corners();
+  support.surroundings.compute (border_,
+                                parameters.hull_tolerance + parameters.max_overhang);
 }
 
 bool
@@ -248,7 +258,7 @@ liesAbove (const OrganizedPoints& points,
            const ObjectParameters& parameters)
 {
   const auto isAbove = [&] (const float* p) {
-    return levelOf (p, support, parameters) == Level::above;
+    return levelOf (p, support, Reach::outline, parameters) == Level::above;
   };
   return shareOf (points, thing, isAbove).isAtLeast (nearly_all);
 }

@@ -42,5 +42,20 @@ dilate (std::uint16_t samples)
   return static_cast<std::uint16_t> (bits);
 }
 
+/** Of the tile to the left, and of the three above, the samples that touch others. */
+struct TouchedSamples {
+  unsigned left, above[3];
+};
+
+inline TouchedSamples
+samplesTouchedBy (std::uint16_t samples)
+{
+  constexpr unsigned first_column = 0x1111, first_row = 0xf;
+  const unsigned column = dilate (static_cast<std::uint16_t> (samples & first_column)),
+                 row = dilate (static_cast<std::uint16_t> (samples & first_row));
+  return {(column & first_column) << 3,
+          {(samples & 1u) << 15, (row & first_row) << 12, (samples & 8u) << 9}};
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

@@ -6,6 +6,7 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
+#include "each_bit.h"
 #include "sample_vectors-inl.h"
 
 #include <pcl/segmentation/tile_parts.h>
@@ -37,9 +38,8 @@ findTilePartsHere (const std::vector<std::int32_t>& owners,
   for (std::size_t begin = 0; begin < owners.size(); begin += PlaneSamples::tile_size) {
     const std::int32_t* tile = &owners[begin];
     unsigned rest = 0xffff;
-    for (std::size_t k = 0; rest != 0; ++k) {
-      if (!(rest >> k & 1u))
-        continue;
+    while (rest != 0) {
+      const std::size_t k = lowestBit (rest);
       const unsigned own = samplesOf (tile, tile[k]);
       rest &= ~own;
       if (tile[k] >= 0)

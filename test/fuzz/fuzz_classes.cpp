@@ -167,6 +167,7 @@ private:
     extraction_.setMaxObjectHeight (anyFloat (data_));
     extraction_.setMinObjectHeight (anyFloat (data_));
     extraction_.setHullTolerance (anyFloat (data_));
+    extraction_.setMaxOverhang (anyFloat (data_));
     extraction_.setClusterTolerance (anyFloat (data_));
     extraction_.setDepthNoise (anyNoise (data_));
     extraction_.setMinPoints (data_.ConsumeIntegralInRange (0, 60));

@@ -474,6 +474,73 @@ TEST (ObstacleDetection, TheFloorIsNearZeroAlsoWhereMoreIsALittleHigherOrLower)
   }
 }
 
+TEST (ObstacleDetection, TheFloorIsFoundInImagesOfFewRows)
+{
+  static constexpr std::uint32_t rows = 6; // of 768
+  FloorScene scene (only_floor, pose, 1024);
+  const auto takeRows = [] (auto& cloud) {
+    auto wide = pcl::make_shared<std::decay_t<decltype (*cloud)>> (cloud->width, rows);
+    for (std::uint32_t v = 0; v < rows; ++v)
+      std::copy_n (
+          &(*cloud) (0, v * cloud->height / rows), cloud->width, &(*wide) (0, v));
+    cloud = wide;
+  };
+  takeRows (scene.cloud);
+  takeRows (scene.normals);
+  takeRows (scene.labels);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+}
+
+TEST (ObstacleDetection, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
+{
+  constexpr float edge = 0.9f;
+  for (const float step : {-0.03f, 0.02f, 0.03f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const FloorScene scene ({near, far}, cameraPose (1.f, 0.61f), 320);
+    const Eigen::Vector4f floor (scene.planes[0].values.data());
+    // The pose is right; it is 1 cm too high; its pitch is off.
+    for (const Eigen::Affine3f& to_base :
+         {cameraPose (1.f, 0.61f), cameraPose (1.01f, 0.61f), cameraPose (1.f, 0.6f)}) {
+      Detection detection;
+      setInput (detection, scene);
+      detection.setCameraToBase (to_base);
+      Result result;
+      detection.detect (result.obstacles, result.classes);
+      EXPECT_TRUE (detection.getFloor().isApprox (floor)) << step;
+      EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << step;
+    }
+  }
+}
+
+TEST (ObstacleDetection, AnotherLevelThatIsClearNearTheRobotIsNoFloorFurtherAway)
+{
+  constexpr float edge = 1.2f;
+  const float pitch = 0.7f;
+  // Where the levels begin, three standard deviations of depth are 2.1 cm, and 15 cm at 5 m.
+  for (const float step : {-0.04f, 0.03f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const auto other = step < 0.f ? ObstacleClass::drop_off : ObstacleClass::obstacle;
+    for (const std::uint32_t width : {160u, 320u, 640u}) {
+      const FloorScene scene (
+          {near, far}, cameraPose (1.3f, pitch), width, kinectSigma);
+      const Result result = detect (scene);
+      EXPECT_GT (share (scene, result, 1, 1, other), 0.99) << step << ", " << width;
+      EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.998) << step;
+      ASSERT_EQ (result.obstacles.size(), 1u) << step << ", " << width;
+      EXPECT_NEAR (result.obstacles[0].distance, edge, 0.03f);
+    }
+  }
+}
+
 TEST (ObstacleDetection, ObstaclesAreSeparateWhereDepthJumpsAndComeByDistance)
 {
   const auto behind = box ({2.5f, -0.3f, 0.f}, {2.7f, 0.6f, 1.f});
@@ -771,7 +838,13 @@ TEST (ObstacleDetection, HeightsOfObstaclesAndDepthsOfDropsAreSettings)
   const std::size_t before = result.count (ObstacleClass::obstacle);
   detection.setMinObstacleHeight (0.05f);
   detection.detect (result.obstacles, result.classes);
-  EXPECT_LT (result.count (ObstacleClass::obstacle), before) << "its top";
+  EXPECT_LT (result.count (ObstacleClass::obstacle), before);
+  detection.setMinObstacleHeight (0.1f);
+  detection.detect (result.obstacles, result.classes);
+  constexpr std::uint32_t box_top = 6;
+  EXPECT_EQ (share (low, result, box_top, box_top, ObstacleClass::floor), 1.);
+  EXPECT_GT (share (low, result, box_front, box_front, ObstacleClass::obstacle), 0.9)
+      << "may be the foot of something";
 
   Patch near = floorAt (0.f);
   near.covers = [] (const Eigen::Vector3f& p) { return p.x() < 1.5f; };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <hwy/targets.h>
+
 #include <pcl/segmentation/step_finder.h>
 
 #include <gtest/gtest.h>
@@ -65,26 +67,18 @@ tableWithStep (float step)
   };
 }
 
-StepFinder
-finder ()
-{
-  StepFinder result;
-  result.resize (width, height);
-  return result;
-}
-
 bool
 hasStep (const std::vector<SampleError>& samples, std::size_t least = min_side)
 {
   GridLine step;
-  return finder().find (samples, least, step);
+  return StepFinder().find (samples, least, step);
 }
 
 void
 expectLegsParted (const std::vector<SampleError>& samples)
 {
   GridLine step;
-  ASSERT_TRUE (finder().find (samples, min_side, step));
+  ASSERT_TRUE (StepFinder().find (samples, min_side, step));
   std::size_t wrong = 0;
   for (const SampleError& sample : samples)
     wrong += step.isBehind (sample.u, sample.v) != isLeg (sample.u, sample.v);
@@ -117,7 +111,7 @@ TEST (StepFinder, FindsStepsAtAnyAngle)
         samplesOf ([] (int u, int v) { return u >= 30 && u < 70 && v >= 10 && v < 50; },
                    [&] (int u, int v) { return isBehind (u, v) ? 2.5f : 0.f; });
     GridLine step;
-    ASSERT_TRUE (finder().find (samples, min_side, step)) << slope;
+    ASSERT_TRUE (StepFinder().find (samples, min_side, step)) << slope;
     std::size_t same = 0;
     for (const SampleError& sample : samples)
       same += step.isBehind (sample.u, sample.v) == isBehind (sample.u, sample.v);
@@ -166,7 +160,7 @@ TEST (StepFinder, KeepsNothingOfThePlaneBefore)
 {
   const auto table = samplesOf (isTable, tableWithStep (2.5f));
   const auto edge = samplesOf (isEdge, tableWithStep (0.f));
-  StepFinder used = finder();
+  StepFinder used;
   GridLine first, again;
   ASSERT_TRUE (used.find (table, min_side, first));
   EXPECT_FALSE (used.find (edge, min_side, again));
@@ -174,4 +168,21 @@ TEST (StepFinder, KeepsNothingOfThePlaneBefore)
   EXPECT_EQ (first.is_steep, again.is_steep);
   EXPECT_EQ (first.slope, again.slope);
   EXPECT_EQ (first.offset, again.offset);
+}
+
+TEST (StepFinder, FindsTheSameWithAnyInstructions)
+{
+  for (const int first : {0, 1, 5, 30}) { // leaves vectors that are not full
+    auto samples = samplesOf (isTable, tableWithStep (2.5f));
+    samples.erase (samples.begin(), samples.begin() + first);
+    GridLine best, fallback;
+    const bool is_found = StepFinder().find (samples, min_side, best);
+    hwy::SetSupportedTargetsForTest (HWY_STATIC_TARGET);
+    EXPECT_EQ (StepFinder().find (samples, min_side, fallback), is_found);
+    hwy::SetSupportedTargetsForTest (0);
+    EXPECT_TRUE (is_found);
+    EXPECT_EQ (best.is_steep, fallback.is_steep);
+    EXPECT_EQ (best.slope, fallback.slope);
+    EXPECT_EQ (best.offset, fallback.offset);
+  }
 }

@@ -113,10 +113,29 @@ TEST_F (StepSplitTest, APlaneWithoutAStepStays)
   EXPECT_EQ (std::count (owners_.begin(), owners_.end(), 1), 0);
 }
 
-TEST_F (StepSplitTest, LargePlanesStay)
+/** Their errors may be those of the sensor. */
+TEST_F (StepSplitTest, LargePlanesStayAtLowSteps)
 {
   look ({board (near_depth, 0, 400), board (far_depth, 400, 640)}, 640);
   EXPECT_EQ (planes_.size(), 1u);
+}
+
+TEST_F (StepSplitTest, LargePlanesArePartedAtClearSteps)
+{
+  constexpr float recessed = 1.025f;
+  look ({board (near_depth, 0, 320), board (recessed, 320, 640)}, 640);
+  ASSERT_EQ (planes_.size(), 2u);
+  EXPECT_NE (ownerIn (100), ownerIn (540));
+  look ({board (near_depth, 0, 200),
+         board (recessed, 200, 440),
+         board (near_depth, 440, 640)},
+        640);
+  EXPECT_EQ (ownerIn (100), ownerIn (540));
+  EXPECT_NE (ownerIn (100), ownerIn (320));
+  for (const int u : {100, 320})
+    EXPECT_NEAR (planes_[static_cast<std::size_t> (ownerIn (u))].d,
+                 u == 320 ? recessed : near_depth,
+                 0.003f);
 }
 
 TEST_F (StepSplitTest, WithinALargerReachLowStepsAreNone)

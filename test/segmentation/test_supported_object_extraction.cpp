@@ -312,6 +312,7 @@ TEST (SupportedObjectExtraction, HullTolerance)
         {floor_slab, table, onTable (1.1f, 0.5f + by - 0.05f, {0.1f, 0.1f, 0.1f})});
   };
   Extraction extraction;
+  extraction.setMaxOverhang (0.);
   const View little = overhanging (0.02f), much = overhanging (0.08f);
   EXPECT_GT (bestIou (extract (extraction, little), little, 2), 0.85);
   EXPECT_LT (bestIou (extract (extraction, much), much, 2), 0.7);
@@ -515,6 +516,62 @@ TEST (SupportedObjectExtraction, ThingsAtAWallAreObjects)
   }
 }
 
+/** What is seen of the table has a hull without the corner that the thing hides. */
+TEST (SupportedObjectExtraction, ThingsAtACornerOfATableAreObjects)
+{
+  for (const float yaw : {0.f, 0.4f, 0.8f})
+    for (const float width : {0.06f, 0.1f, 0.2f})
+      for (const float noise : {0.f, 1.f}) {
+        const float half = 0.5f * width * (std::cos (yaw) + std::sin (yaw)) + 0.005f;
+        const Box thing = onTable (1.6f - half, 0.5f - half, {width, width, 0.1f}, yaw);
+        const View view = look ({floor_slab, table, thing}, {}, noise);
+        const Objects objects = extract (view);
+        EXPECT_EQ (objects.size(), 1u) << yaw << " " << width << " " << noise;
+        EXPECT_GT (bestIou (objects, view, 2), 0.8)
+            << yaw << " " << width << " " << noise;
+      }
+}
+
+TEST (SupportedObjectExtraction, ThingsInACornerOfWallsAreObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box side{{1.2f, 0.55f, 0.f}, {0.8f, 0.1f, 2.f}};
+  for (const float width : {0.1f, 0.2f})
+    for (const float noise : {0.f, 0.5f, 1.f}) {
+      const Box thing =
+          onTable (1.59f - 0.5f * width, 0.49f - 0.5f * width, {width, width, 0.25f});
+      const View view = look ({floor_slab, table, wall, side, thing}, {}, noise);
+      const Objects objects = extract (view);
+      EXPECT_EQ (objects.size(), 1u) << width << " " << noise;
+      EXPECT_GT (bestIou (objects, view, 4), 0.8) << width << " " << noise;
+    }
+}
+
+TEST (SupportedObjectExtraction, MaxOverhang)
+{
+  const auto stickingOut = [] (float by, double max_overhang) {
+    const View view = look (
+        {floor_slab, table, onTable (1.1f, 0.42f + by, {0.16f, 0.16f, 0.1f})}, {}, 1.f);
+    Extraction extraction;
+    extraction.setMaxOverhang (max_overhang);
+    return bestIou (extract (extraction, view), view, 2);
+  };
+  EXPECT_GT (stickingOut (0.f, 0.2), 0.8);
+  EXPECT_GT (stickingOut (0.08f, 0.2), 0.8);
+  EXPECT_LT (stickingOut (0.08f, 0.), 0.7);
+  EXPECT_EQ (stickingOut (0.4f, 0.2), 0.); // it is over the floor
+}
+
+TEST (SupportedObjectExtraction, WhatStandsBesideATableIsNoObjectOfIt)
+{
+  for (const float gap : {0.f, 0.01f, 0.05f, 0.15f}) {
+    const Box chair{{1.2f, 0.6f + gap, 0.f}, {0.2f, 0.2f, 0.9f}};
+    const View view = look ({floor_slab, table, chair});
+    EXPECT_GT (view.pixelsOf (2).size(), 500u);
+    EXPECT_TRUE (extract (view).empty()) << gap;
+  }
+}
+
 TEST (SupportedObjectExtraction, WhatHardlyStandsOutFromAWallIsNoObject)
 {
   const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
@@ -545,6 +602,50 @@ TEST (SupportedObjectExtraction, WhatGoesOnBehindSomethingNearerIsNoObject)
     EXPECT_TRUE (extract (turned (hidden)).empty()) << roll;
     EXPECT_EQ (extract (seen).size(), 1u) << roll;
     EXPECT_EQ (extract (turned (seen)).size(), 1u) << roll;
+  }
+}
+
+/** However few pixels wide they are. */
+TEST (SupportedObjectExtraction, PolesAreNoObjects)
+{
+  Camera camera;
+  camera.width = 640;
+  camera.image_height = 480;
+  camera.pitch_down = 0.45f;
+  for (const float width : {0.012f, 0.02f, 0.03f, 0.08f})
+    for (const float x : {1.5f, 2.f, 2.5f})
+      for (const float noise : {0.f, 1.f}) {
+        const auto objects = [&] (float height) {
+          const Box pole{{x, 0.f, 0.f}, {width, width, height}};
+          return extract (look ({floor_slab, pole}, camera, noise)).size();
+        };
+        EXPECT_EQ (objects (1.f), 0u) << width << " " << x << " " << noise;
+        // What noise parts is more than one.
+        if (width > 0.015f)
+          EXPECT_GE (objects (0.28f), 1u) << width << " " << x << " " << noise;
+      }
+}
+
+TEST (SupportedObjectExtraction, WhatTheImageCutsIsTruncatedAndNotGraspable)
+{
+  // At x = 1.2 m the image ends 0.8 m to the side. Cameras have margins without depth.
+  const auto isTruncated = [] (float y, std::uint32_t margin) {
+    const View view =
+        look ({floor_slab, deep_table, onTable (1.2f, y, {0.08f, 0.08f, 0.15f})});
+    for (std::uint32_t i = 0; i < view.cloud->size(); ++i)
+      if (const std::uint32_t u = i % 320; u < margin || u + margin >= 320)
+        (*view.cloud)[i].getVector3fMap().setConstant (
+            std::numeric_limits<float>::quiet_NaN());
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 1u) << y << " " << margin;
+    EXPECT_NE (objects.front().truncated, objects.front().graspable);
+    return objects.front().truncated;
+  };
+  EXPECT_FALSE (isTruncated (0.f, 0));
+  EXPECT_FALSE (isTruncated (0.f, 10));
+  for (const float side : {1.f, -1.f}) {
+    EXPECT_TRUE (isTruncated (side * 0.8f, 0));
+    EXPECT_TRUE (isTruncated (side * 0.75f, 10));
   }
 }
 
@@ -749,6 +850,8 @@ TEST (SupportedObjectExtraction, RefusesBadParameters)
   EXPECT_FLOAT_EQ (extraction.getHullTolerance(), 0.03f);
   extraction.setHullTolerance (0.);
   EXPECT_EQ (extraction.getHullTolerance(), 0.);
+  extraction.setMaxOverhang (-0.1);
+  EXPECT_FLOAT_EQ (extraction.getMaxOverhang(), 0.2f);
   extraction.setHorizontalTolerance (static_cast<float> (M_PI / 2.)); // above M_PI / 2
   EXPECT_FLOAT_EQ (extraction.getHorizontalTolerance(), static_cast<float> (M_PI / 2.));
   extraction.setHorizontalTolerance (0.26);

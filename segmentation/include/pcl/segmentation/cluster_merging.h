@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -38,7 +40,7 @@ public:
   void
   addNeighbours (std::size_t a, std::size_t b)
   {
-    queue_.push_back ({0.f, a, b});
+    queue_.push_back (makeCandidate (0.f, a, b));
   }
 
   /** \brief Merges neighbours while the smallest of their distances is at most
@@ -93,30 +95,47 @@ private:
   {
     std::make_heap (queue_.begin(), queue_.end());
     while (!queue_.empty()) {
-      std::pop_heap (queue_.begin(), queue_.end());
-      const Candidate candidate = queue_.back();
-      queue_.pop_back();
-      const std::size_t a = find (candidate.a), b = find (candidate.b);
-      if (a == b)
-        continue;
-      const float now = distance (clusters_[a], clusters_[b]);
-      if (!(now <= max_distance))
-        continue;
-      if (now > candidate.distance) { // either was merged since: wait for its turn
-        queue_.push_back ({now, a, b});
-        std::push_heap (queue_.begin(), queue_.end());
+      sinkTop();
+      Candidate& top = queue_.front();
+      const std::size_t a = find (top.a), b = find (top.b);
+      const float now = a != b ? distance (clusters_[a], clusters_[b])
+                               : std::numeric_limits<float>::infinity();
+      if (now > top.distance && now <= max_distance) {
+        // Either was merged since: wait for its turn.
+        top = makeCandidate (now, a, b);
         continue;
       }
-      clusters_[a] += clusters_[b];
-      clusters_[b] = Cluster{};
-      parents_[b] = a;
+      if (now <= max_distance) {
+        clusters_[a] += clusters_[b];
+        clusters_[b] = Cluster{};
+        parents_[b] = a;
+      }
+      top = queue_.back();
+      queue_.pop_back();
     }
+  }
+
+  /** Makes a heap of the queue, of which all but the top is one. */
+  void
+  sinkTop ()
+  {
+    const Candidate top = queue_.front();
+    std::size_t at = 0;
+    for (std::size_t next = 1; next < queue_.size(); next = 2 * at + 1) {
+      if (next + 1 < queue_.size() && queue_[next] < queue_[next + 1])
+        ++next;
+      if (!(top < queue_[next]))
+        break;
+      queue_[at] = queue_[next];
+      at = next;
+    }
+    queue_[at] = top;
   }
 
   struct Candidate {
     float distance;
-    std::size_t a;
-    std::size_t b;
+    std::uint32_t a;
+    std::uint32_t b;
 
     /** The top of the queue is the nearest pair; ties are broken by number, so that
      * results do not depend on the order of insertion. */
@@ -128,6 +147,12 @@ private:
       return std::make_pair (a, b) > std::make_pair (other.a, other.b);
     }
   };
+
+  static Candidate
+  makeCandidate (float distance, std::size_t a, std::size_t b)
+  {
+    return {distance, static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b)};
+  }
 
   std::vector<Cluster> clusters_;
   std::vector<std::size_t> parents_;

@@ -71,9 +71,8 @@ private:
   void
   mergeNeighbours (std::size_t histogram, std::int32_t normal_cluster);
 
-  /** Which histogram a normal cluster has, or none, and its number of points. */
+  /** Which histogram a normal cluster has, or none. */
   std::vector<std::int32_t> histogram_of_;
-  std::vector<std::size_t> points_;
   /** The histograms of all normal clusters, one after the other. */
   std::vector<std::uint32_t> bins_;
   /** The cluster of each bin. */

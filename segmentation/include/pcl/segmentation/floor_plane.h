@@ -64,10 +64,11 @@ class PCL_RGBD_PLANES_EXPORTS FloorPlane {
 public:
   /** \brief Finds the floor: of the planes whose normal is the z axis of the base frame
    * within \a max_angle (radians) and that is at z = 0 within \a max_height (metres), in
-   * the mean of its points or below the base, the one with the most points; these count
-   * the less, the farther off it is.
+   * the weighted mean of its points or below the base, the one whose points have the largest
+   * weight in all. A weight falls with the fourth power of range, for a robot stands on what
+   * is near, and with the square of how far off the plane is within \a max_height.
    *
-   * About every 64th point is looked at, and every one of small images.
+   * The points of about 80 columns and 60 rows are looked at.
    */
   void
   find (const OrganizedPoints& points,
@@ -103,27 +104,43 @@ public:
 
   /** \brief Whether a plane is likely more of the floor, which the error of depth bent:
    * it is not the floor that was found, is tilted against it by less than 5 degrees, and
-   * its points are less than 1.5 standard deviations of depth above or below, in the
-   * mean, or less than 3 if they are at least a quarter as many as those of the floor. */
+   * less than 1.75 standard deviations of depth above or below, in the weighted mean of
+   * where its points are, or less than 2.7 if these are at least a quarter as many as those
+   * of the floor. */
   bool
   isPart (std::uint32_t plane) const
   {
     return plane < samples_.size() && samples_[plane].is_part;
   }
 
-  bool
-  hasParts () const
+  /** \brief How far above the floor a plane is that is another level near it: tilted
+   * against it by less than 5 degrees, at least 2.7 standard deviations of depth above or
+   * below, in the weighted mean, and not by so much that each of its points tells. 0 for all
+   * other planes. */
+  float
+  level (std::uint32_t plane) const
   {
-    return std::any_of (
-        samples_.begin(), samples_.end(), [] (const Samples& s) { return s.is_part; });
+    return plane < samples_.size() ? samples_[plane].level : 0.f;
+  }
+
+  /** \brief Whether any plane is a part of the floor or a level near it. */
+  bool
+  hasPartsOrLevels () const
+  {
+    return std::any_of (samples_.begin(), samples_.end(), [] (const Samples& s) {
+      return s.is_part || s.level != 0.f;
+    });
   }
 
 private:
   struct Samples {
-    float height = 0.f; // in the base frame, sum
     std::size_t points = 0;
-    std::size_t off = 0; // above or below the floor, where the plane is tilted
-    float sigmas = 0.f;  // standard deviations of depth above the floor, where not; sum
+    std::size_t off = 0; // above or below the floor
+    // Sums of weights, and of weighted heights in the base frame.
+    float weight = 0.f, height = 0.f;
+    // Weighted sums of how far the plane is above the floor, in metres, then the level, and
+    // in standard deviations of depth; where it is not tilted.
+    float level = 0.f, sigmas = 0.f;
     bool is_tilted = false;
     bool is_part = false;
   };
@@ -131,9 +148,10 @@ private:
   struct SampledPoint {
     const float* point;
     std::uint32_t plane;
+    float weight; // 1 / range^4: what is near the robot decides
   };
 
-  /** Takes about every 64th point that is usable and on a plane. */
+  /** Takes usable points on planes. */
   void
   sample (const OrganizedPoints& points,
           const LabelledPlanes& planes,

@@ -56,6 +56,13 @@ public:
     return mean_normals_;
   }
 
+  /** \brief The number of points of each cluster. */
+  const std::vector<std::size_t>&
+  points () const
+  {
+    return points_;
+  }
+
 private:
   struct Cell {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -107,9 +114,12 @@ private:
   /** The cluster of each cell of the grid. */
   std::vector<std::int32_t> cluster_of_cell_;
   std::vector<Cluster> cells_;
+  /** The cell of the grid of each of these. */
+  std::vector<std::size_t> places_;
   std::vector<std::int32_t> numbers_;
   ClusterMerging<Cluster> merging_;
   std::vector<Eigen::Vector3f> mean_normals_;
+  std::vector<std::size_t> points_;
 };
 
 } // namespace rgbd_planes

@@ -25,10 +25,11 @@ struct ObjectCluster {
 /** \brief Collects the points above supporting planes and clusters them along the image,
  * linear in their number (Holz et al. 2011, section 5.1).
  *
- * Planes on objects support nothing here. Things that hang together with what lies outside
- * of the hull or too high are no objects, nor is what lies under a higher supporting plane, such
- * as the legs of a table, or has its top hidden behind something nearer. Things may touch a
- * plane of the background, such as a wall, if they stand out from it.
+ * Planes on objects support nothing here. Things may reach beyond the hull, for they hide a
+ * corner of the plane where they stand on it. Those that hang together with what lies further
+ * outside, lower, or too high are no objects, nor is what goes on above most of its top, lies under a
+ * higher supporting plane, such as the legs of a table, or has its top hidden behind something
+ * nearer. Things may touch a plane of the background, such as a wall, if they stand out from it.
  */
 class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
 public:
@@ -55,8 +56,13 @@ public:
     return pixel_angle_;
   }
 
+  /** \brief Whether the image ends where a thing may go on. */
+  bool
+  isTruncated (const std::vector<PointRun>& runs) const;
+
 private:
-  /** \brief Where a point is: from \ref above on, above that one of the bases. */
+  /** \brief Where a point is: from \ref above on, above that one of the bases, over its hull or
+   * its surroundings. */
   enum Place : std::uint8_t { nowhere, outside, above };
 
   /** \brief What decides whether a cluster is an object, in points. */
@@ -64,6 +70,8 @@ private:
     std::size_t points = 0;
     /** Those that are higher than noise, until they are enough. */
     std::size_t clear = 0;
+    /** Those over the hull; counted of what is large and clear. */
+    std::size_t over_hull = 0;
     /** Those that hang together with one outside. */
     std::size_t leaks = 0;
     /** Those that hang together with one of a plane behind; where there are any, */
@@ -72,8 +80,10 @@ private:
     std::size_t off_background = 0;
     /** Those with nothing above them in the image that is above the same plane. */
     std::size_t tops = 0;
-    /** Of these, those that end at something nearer. */
-    std::size_t hidden_tops = 0;
+    /** Of these, those that end at something nearer, or do not end there. */
+    std::size_t going_on = 0;
+    /** Those at the border of the image; counted of what is large and clear. */
+    std::size_t at_border = 0;
     std::size_t support = 0;
     std::size_t cluster = 0;
   };
@@ -96,6 +106,9 @@ private:
   Place
   settle (std::uint32_t i, std::size_t base) const;
 
+  Place
+  settleBeside (std::uint32_t i) const;
+
   float
   heightAbove (const SupportPlane& support, std::uint32_t v, std::uint32_t u) const;
 
@@ -113,6 +126,15 @@ private:
 
   std::size_t
   pointsOffBackground (const PointRun& run, const SupportPlane& support) const;
+
+  std::size_t
+  pointsOverHull (const PointRun& run, const SupportPlane& support) const;
+
+  std::size_t
+  pointsAtBorder (const PointRun& run) const;
+
+  static bool
+  isTruncated (std::size_t at_border);
 
   /** \brief Calls visit (i) for the points of a run at its ends, and those in another place
    * than the point above or below in the image. */

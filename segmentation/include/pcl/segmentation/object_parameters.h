@@ -21,6 +21,8 @@ struct ObjectParameters {
   float min_object_height = 0.01f;
   /** How far outside of the hull of its plane a point of an object may lie. */
   float hull_tolerance = 0.03f;
+  /** How much further up to three quarters of a thing may reach. */
+  float max_overhang = 0.2f;
   /** Neighbouring points that are further apart than this many standard deviations of depth,
    * plus what the width of a pixel explains, belong to two objects. */
   float cluster_tolerance = 1.f;

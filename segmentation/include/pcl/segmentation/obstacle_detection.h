@@ -38,11 +38,13 @@ namespace pcl {
  * up, the floor at z = 0), the identity for clouds of CameraToBase. NaN, Inf and (0, 0, 0) are
  * missing points. With indices, only these points are looked at.
  *
- * The floor is the plane that is horizontal and at z = 0 within tolerances, large, and near
- * to z = 0; heights are measured from it, as the pose may be slightly off. Obstacles at least
- * as high as the larger of 1 cm and three standard deviations of depth are found. Points
- * clearly below the floor are drop-offs. Clusters of a few points are specks, errors of the
- * sensor. Where no floor is found, nothing is safe: all measured points are obstacles.
+ * The floor is the plane that is horizontal and at z = 0 within tolerances, near to z = 0, and
+ * large, where near points count most; heights are measured from it, as the pose may be
+ * slightly off. Obstacles at least as high as the larger of 1 cm and three standard deviations
+ * of depth are found. Points clearly below the floor are drop-offs. A plane beside the floor
+ * that is clearly higher or lower where it is near is so everywhere. Clusters of a few points
+ * are specks, errors of the sensor. Where no floor is found, nothing is safe: all measured
+ * points are obstacles.
  *
  * A null or unorganized cloud, normals or labels that are missing or of another size, or
  * an index outside of the cloud: an error message and empty outputs.
@@ -132,9 +134,12 @@ public:
     return parameters_.floor_height;
   }
 
-  /** \brief The height of the lowest obstacles, metres, 0 or more (others: an error
-   * message), default 0.01; where that is less than three standard deviations of the height
-   * of points, lower ones may be missed. */
+  /** \brief The height of the lowest obstacles that are told by their height, metres, 0 or
+   * more (others: an error message), default 0.01; where that is less than three standard
+   * deviations of the height of points, lower ones may be missed. Tops lower than half of it
+   * are floor. Points with another normal than the floor, and those above it of planes tilted
+   * against it, are obstacles however low they are, for they may be the foot of something
+   * whose top is hidden or out of view: the sides of low things stay obstacles. */
   void
   setMinObstacleHeight (float height)
   {

@@ -19,8 +19,8 @@ namespace rgbd_planes {
 
 struct ObstaclePointParameters {
   DepthNoise noise;
-  /** Of the lowest obstacles, metres; those lower than three standard deviations of the
-   * height of a point may be missed. */
+  /** Of the lowest obstacles that are told by their height, metres; those lower than three
+   * standard deviations of the height of a point may be missed. */
   float min_height = 0.01f;
   /** Of the lowest drop-offs, metres. */
   float min_drop = 0.03f;
@@ -74,7 +74,9 @@ struct CellVerdicts {
  * Noise that is independent from point to point moves points along their rays, and heights
  * above a floor seen flat by little of that. The smooth error of depth can bend away a piece
  * of a floor that furniture parts from the rest: on planes that are likely that, heights
- * count in standard deviations of depth instead.
+ * count in standard deviations of depth instead. A plane that is too far off for that where
+ * it is near is another level: its points are obstacles or drop-offs, also those that noise
+ * moves near to the floor.
  *
  * The points around a point are those of 3 x 3 cells of an image of 160 cells in a row,
  * each of 4 x 4 pixels in VGA.
@@ -109,9 +111,9 @@ public:
 
 private:
   /** Points of the row on other parts of the floor are floor unless they are too far off
-   * for the error of depth. */
+   * for the error of depth, those on other levels are not. */
   void
-  acceptParts (const ObstacleFrame& frame,
+  judgePlanes (const ObstacleFrame& frame,
                std::size_t first,
                std::vector<ObstacleClass>& classes) const;
 

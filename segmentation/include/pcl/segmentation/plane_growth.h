@@ -94,12 +94,14 @@ private:
   PlaneAdditions additions_;
   /** The number of free samples in each tile. */
   std::vector<std::uint8_t> free_;
+  enum class Look : std::uint8_t { none, at_seed, done };
+
   /** Of the plane that grows: weights of the samples on it, 0 for others, their number
    * in each tile, the tiles of its seed, those that it may have, and on the way there
    * those that were looked at and those that hang together. */
   std::vector<float> claimed_;
   std::vector<std::uint8_t> counts_;
-  std::vector<std::uint8_t> looked_at_, near_;
+  std::vector<Look> looks_;
   std::vector<std::uint32_t> seed_tiles_, tiles_, seen_, connected_;
   Eigen::Vector3d reference_ = Eigen::Vector3d::Zero();
   Plane plane_;

@@ -55,6 +55,8 @@ private:
   std::vector<std::size_t> order_;
   std::vector<PlaneMoments> planes_;
   std::vector<std::int32_t> plane_of_part_;
+  /** Of parts that may be strips. */
+  std::vector<double> widths_;
 };
 
 } // namespace rgbd_planes

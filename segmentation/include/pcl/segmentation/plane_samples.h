@@ -59,18 +59,29 @@ public:
     return size() / tile_size;
   }
 
-  /** \brief Calls \a body (tile) for the tiles that touch \a tile, and for itself. */
+  /** \brief Calls \a body (first, end) for each row of the tiles that touch \a tile, and
+   * itself. */
   template <typename Body>
   void
-  forEachTileAround (std::size_t tile, const Body& body) const
+  forEachRowAround (std::size_t tile, const Body& body) const
   {
     const auto [left, right, above, below] = around_[tile];
     const auto columns = static_cast<std::uint32_t> (tiles_u);
     const auto centre = static_cast<std::uint32_t> (tile);
     for (std::uint32_t row = centre - above * columns; row <= centre + below * columns;
          row += columns)
-      for (std::uint32_t other = row - left; other <= row + right; ++other)
+      body (row - left, row + right + 1);
+  }
+
+  /** \brief Calls \a body (tile) for all these tiles. */
+  template <typename Body>
+  void
+  forEachTileAround (std::size_t tile, const Body& body) const
+  {
+    forEachRowAround (tile, [&body] (std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t other = first; other < end; ++other)
         body (other);
+    });
   }
 
   /** \brief A measured point of \a tile; (0, 0, 0) if there is none. */
@@ -115,12 +126,6 @@ public:
   /** The points that may start a cluster. */
   std::vector<std::uint32_t> seeds;
 
-  struct Neighbours {
-    std::uint32_t left, above_left, above, above_right;
-  };
-  /** For each sample those beside it, or itself where the image ends. */
-  std::vector<Neighbours> neighbours;
-
   bool
   isFree (std::size_t i) const
   {
@@ -136,7 +141,7 @@ private:
   resize (int image_width, int image_height);
 
   void
-  findNeighbours ();
+  findTilesAround ();
 
   template <typename IsUsable>
   std::size_t

@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/tile_parts.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,31 +15,31 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief The parts of clusters that hang together in the image, largest first. */
+/** \brief The parts of clusters that hang together in the image, largest first.
+ *
+ * Found tile by tile, not sample by sample: a tile seldom has more than one or two. */
 class PCL_RGBD_PLANES_EXPORTS SampleComponents {
 public:
-  /** \brief The samples of a component. */
+  /** \brief Samples of one cluster: what of each tile, tile after tile. */
   struct Component {
-    const std::uint32_t* begin;
-    const std::uint32_t* end;
-    std::int32_t cluster;
+    const TilePart* first;
+    const TilePart* last;
+    std::size_t samples;
 
     std::size_t
-    size () const
+    cluster () const
     {
-      return static_cast<std::size_t> (end - begin);
+      return first->plane;
     }
   };
 
   /** \brief Finds components of at least \a min_points samples, each touching the next
    * along a side or a corner.
-   * \param[in] clustered the samples that may have a cluster
    * \param[in] clusters the cluster of each sample, negative for none
    * \param[in] connected false takes each cluster for one component
    */
   void
   compute (const PlaneSamples& samples,
-           const std::vector<std::uint32_t>& clustered,
            const std::vector<std::int32_t>& clusters,
            std::size_t min_points,
            bool connected);
@@ -51,20 +52,26 @@ public:
 
 private:
   void
-  joinNeighbours (const PlaneSamples& samples,
-                  const std::vector<std::uint32_t>& clustered,
-                  const std::vector<std::int32_t>& clusters);
+  findPieces (const PlaneSamples& samples, bool connected);
 
   void
-  joinClusters (const std::vector<std::uint32_t>& clustered,
-                const std::vector<std::int32_t>& clusters);
+  joinNeighbours (const PlaneSamples& samples);
 
+  void
+  joinClusters (const PlaneSamples& samples);
+
+  void
+  listComponents (std::size_t min_points);
+
+  /** What clusters have in each tile, the connected pieces of that, where those of a tile begin,
+   * and which hang together. */
+  std::vector<TilePart> parts_, pieces_;
+  std::vector<std::uint32_t> first_of_tile_;
   DisjointSets sets_;
-  /** The first sample of the component of each. */
-  std::vector<std::uint32_t> roots_;
-  /** The number of samples of a component at its first one, then where they are. */
-  std::vector<std::uint32_t> places_;
-  std::vector<std::uint32_t> members_;
+  /** For the first piece of each component, the number of samples and of pieces, then where these
+   * are. */
+  std::vector<std::uint32_t> roots_, samples_, places_;
+  std::vector<TilePart> members_;
   std::vector<Component> components_;
 };
 

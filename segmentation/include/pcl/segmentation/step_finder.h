@@ -36,6 +36,12 @@ struct GridLine {
   }
 };
 
+/** \brief Samples of a plane, as many as fill vectors: columns and rows, -infinity where there
+ * is none, the same from -1 to 1 as u and v, and errors. */
+struct SurfaceSamples {
+  std::vector<float> columns, rows, u, v, errors;
+};
+
 /** \brief Finds steps in the errors of a plane: straight lines at which two surfaces meet
  * of which one lies behind the other.
  *
@@ -47,12 +53,8 @@ struct GridLine {
  */
 class PCL_RGBD_PLANES_EXPORTS StepFinder {
 public:
-  /** \brief Sets the size of the grid of samples. */
-  void
-  resize (int width, int height);
-
   /** \brief Finds the step that explains most.
-   * \param[in] samples those of one plane, with 0 <= u < width and 0 <= v < height
+   * \param[in] samples those of one plane
    * \param[in] min_side the least number of samples on either side
    * \param[out] step where it is
    * \return whether there is one
@@ -61,11 +63,6 @@ public:
   find (const std::vector<SampleError>& samples, std::size_t min_side, GridLine& step);
 
 private:
-  /** Of a surface of second order, at a sample: 1, u, v, uu, uv, vv, the error that the
-   * surface leaves, and 0; or sums of these. */
-  using Terms = Eigen::Array<float, 8, 1>;
-  static constexpr int left = 6;
-
   /** Places of the grid where errors jump, in coordinates along lines and across, and for
    * each where a line through it is. */
   struct Edges {
@@ -95,29 +92,32 @@ private:
   fitSurface (const std::vector<SampleError>& samples);
 
   double
-  gainOf (const std::vector<SampleError>& samples,
-          const GridLine& line,
-          std::size_t min_side) const;
+  gainOf (const GridLine& line, std::size_t samples, std::size_t min_side) const;
 
   std::size_t
   place (int u, int v) const
   {
-    return static_cast<std::size_t> ((v + margin) * stride_ + u + margin);
+    return static_cast<std::size_t> ((v - first_[1] + margin) * stride_ + u -
+                                     first_[0] + margin);
   }
 
+  /** How far samples beside a place are looked at. */
   static constexpr int margin = 5;
+  /** The first and last column and row of the samples. */
+  int first_[2] = {0, 0}, last_[2] = {0, 0};
+  /** Of the grid between these, with margins. */
   int stride_ = 0;
   /** For each place of the grid: the error, 1 where there is one, and the difference
    * between the means before a line behind that place and behind it; else 0. */
   std::vector<float> errors_, own_, jumps_;
-  /** The first and last column and row of the samples. */
-  int first_[2] = {0, 0}, last_[2] = {0, 0};
   Edges edges_;
   std::vector<float> votes_;
   std::vector<GridLine> lines_;
-  /** Of the surface of second order: its terms at each sample, the sum of the squares of
-   * the errors that it leaves, and the inverse of the sum of the products of the terms. */
-  std::vector<Terms> terms_;
+  SurfaceSamples surface_;
+  /** Of the surface of second order: the factors of 1, u, v, uu, uv, vv and the error with which
+   * these add up to what it leaves of the error, the sum of the squares of that, and the inverse
+   * of the sums of the products of the terms. */
+  Eigen::Matrix<double, 7, 1> fitted_ = Eigen::Matrix<double, 7, 1>::Zero();
   double squares_ = 0.;
   Eigen::Matrix<double, 6, 6> inverse_ = Eigen::Matrix<double, 6, 6>::Zero();
 };

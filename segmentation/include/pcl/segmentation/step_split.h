@@ -24,7 +24,8 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS StepSplit {
 public:
-  /** \brief Takes the smaller side of a step from its plane. It goes to the other plane
+  /** \brief Takes the smaller side of a step from its plane, and of up to three steps from a
+   * plane that fills much of the image. It goes to the other plane
    * that it lies on, or becomes a new one, last in the list.
    * \param[in] min_side the least number of samples on either side
    * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
@@ -41,6 +42,16 @@ public:
            std::vector<PlaneMoments>& planes);
 
 private:
+  bool
+  splitOnce (const PlaneSamples& samples,
+             std::size_t k,
+             std::size_t min_side,
+             double least_error,
+             float unit,
+             std::vector<std::int32_t>& owners,
+             std::vector<TilePart>& parts,
+             std::vector<PlaneMoments>& planes);
+
   void
   collect (const PlaneSamples& samples,
            const std::vector<TilePart>& parts,

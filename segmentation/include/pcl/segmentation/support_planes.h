@@ -35,7 +35,8 @@ struct SupportPlane {
   Eigen::Vector3f axis_x, axis_y;
   float height = 0.f; /**< of the centre of its points in the base frame */
   ConvexOutline outline;
-  PlaneWarp warp; /**< of planes that are not on an object */
+  ConvexOutline surroundings; /**< the outline and the largest overhang */
+  PlaneWarp warp;             /**< of planes that are not on an object */
   /** It lies on a thing that stands on another plane, like a lid. */
   bool is_on_object = false;
 
@@ -86,16 +87,25 @@ mayBeOnPlane (const float* p,
          isWithinNoise (p, plane, height, plane_sigmas, parameters.noise);
 }
 
+/** \brief How far a plane reaches. */
+enum class Reach { outline, surroundings };
+
+/** \brief Things have at least such a share of their points over the hull of their plane. */
+constexpr double over_hull_share = 0.25;
+
 /** \brief Whether \a p lies on a plane, or up to the largest height of an object above it, in
- * both cases inside of its outline. */
+ * both cases where the plane reaches. */
 inline Level
 levelOf (const float* p,
          const SupportPlane& support,
+         Reach reach,
          const ObjectParameters& parameters)
 {
   const float height = support.plane.distance (p);
+  const auto& outline =
+      reach == Reach::outline ? support.outline : support.surroundings;
   if (height > parameters.max_object_height || height < -parameters.max_object_height ||
-      !support.outline.contains (support.project (p)))
+      !outline.contains (support.project (p)))
     return Level::elsewhere;
   if (mayBeOnPlane (p, support.plane, height, parameters))
     return Level::on_plane;

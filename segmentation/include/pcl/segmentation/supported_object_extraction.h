@@ -39,7 +39,9 @@ struct SupportedObject {
   Eigen::Vector3f box_size = Eigen::Vector3f::Zero();
   /** The plane it stands on, among those given to extract(). */
   std::size_t support = 0;
-  /** Its smallest side is in the range of setGraspableSides(). */
+  /** It reaches the border of the image: the box may be too small. */
+  bool truncated = false;
+  /** Its smallest side is in the range of setGraspableSides(), and all of it is in the image. */
   bool graspable = false;
 };
 
@@ -55,10 +57,11 @@ struct SupportedObject {
  *
  * Horizontal planes in a range of heights support objects. Each model is optimised with
  * RANSAC; the hull of its points, and some way around it, is where objects are looked for, up
- * to their largest height. The points above, of other planes or none, are clustered along the
- * image. Heights are those above the points of the plane around, for cameras bend planes. A
- * point counts as being above only where depth noise does not explain it. What
- * continues outside of the hull or higher up is no object (people, furniture), nor is what lies
+ * to their largest height. Up to three quarters of a thing may reach further: it hides the
+ * plane where it stands at a corner, or sticks out. The points above, of other planes or none, are
+ * clustered along the image. Heights are those above the points of the plane around, for cameras
+ * bend planes. A point counts as being above only where depth noise does not explain it. What
+ * continues further outside or higher up is no object (people, furniture), nor is what lies
  * under a higher supporting plane (legs of a table), on a plane much of which is elsewhere
  * (the wall behind a table), or mostly ends at something nearer above it in the image, for
  * how high it is cannot be seen. What touches such a wall is an object if a quarter of its points
@@ -171,8 +174,8 @@ public:
     return parameters_.min_object_height;
   }
 
-  /** \brief How far outside of the hull of its plane a point of an object may lie; metres, 0
-   * or more, default 0.03. */
+  /** \brief How far outside of the hull of its plane a thing may lie; metres, 0 or more,
+   * default 0.03. */
   void
   setHullTolerance (double tolerance);
 
@@ -180,6 +183,17 @@ public:
   getHullTolerance () const
   {
     return parameters_.hull_tolerance;
+  }
+
+  /** \brief How much further up to three quarters of a thing may reach, which hides the
+   * plane where it stands at a corner, or sticks out; metres, 0 or more, default 0.2. */
+  void
+  setMaxOverhang (double overhang);
+
+  double
+  getMaxOverhang () const
+  {
+    return parameters_.max_overhang;
   }
 
   /** \brief Neighbouring points are of one object when they are no further apart than three

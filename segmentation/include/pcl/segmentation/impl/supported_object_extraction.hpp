@@ -103,6 +103,17 @@ SupportedObjectExtraction<PointT, PointNT>::setHullTolerance (double tolerance)
 
 template <typename PointT, typename PointNT>
 void
+SupportedObjectExtraction<PointT, PointNT>::setMaxOverhang (double overhang)
+{
+  rgbd_planes::setParameter (getClassName() + "::setMaxOverhang",
+                             overhang,
+                             parameters_.max_overhang,
+                             rgbd_planes::Zero::allowed,
+                             rgbd_planes::any_finite);
+}
+
+template <typename PointT, typename PointNT>
+void
 SupportedObjectExtraction<PointT, PointNT>::setClusterTolerance (double sigmas)
 {
   rgbd_planes::setParameter (getClassName() + "::setClusterTolerance",
@@ -247,7 +258,9 @@ SupportedObjectExtraction<PointT, PointNT>::describe (
   object.box_axes = box.axes;
   object.box_size = box.size;
   object.support = support.index;
-  object.graspable = box.size.minCoeff() >= parameters_.min_graspable_side &&
+  object.truncated = clustering_.isTruncated (cluster.runs);
+  object.graspable = !object.truncated &&
+                     box.size.minCoeff() >= parameters_.min_graspable_side &&
                      box.size.minCoeff() <= parameters_.max_graspable_side;
 }
 
