@@ -86,12 +86,12 @@ TangentRowPipeline::start (const OrganizedPoints& points,
   const int ahead = rows_around[0] + rows_around[1] + largest.half_height;
   margin_ = RowRing<float>::roundUp (largest.half_width + 1);
   staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
-  pixels_.reset (grid_.step == 1 ? ahead + 2 : grid_.step + 1,
+  pixels_.reset (grid_.step == 1 ? ahead + 2 : 5,
                  grid_.step * pixel_channels,
                  padded_width_,
-                 1,
+                 2,
                  infinity);
-  no_pixels_.reset (1, grid_.step * pixel_channels, padded_width_, 1, infinity);
+  no_pixels_.reset (1, grid_.step * pixel_channels, padded_width_, 2, infinity);
   tangents_.reset (
       2 * largest.half_height + 2, tangent_channels, padded_width_, margin_, 0);
   sums_.reset (1, sum_channels, padded_width_, 0, 0.f);
@@ -143,15 +143,18 @@ TangentRowPipeline::sumUpTo (int last)
   for (const int end = std::min (last + 1, grid_.height); next_sum_ < end;
        ++next_sum_) {
     const int v = next_sum_ * grid_.step;
-    for (; next_pixels_ <= std::min (v + grid_.step, points_.height - 1);
-         ++next_pixels_)
+    const int last_pixels = v + (grid_.step == 1 ? 1 : 4);
+    for (; next_pixels_ <= std::min (last_pixels, points_.height - 1); ++next_pixels_)
       loadPixels (
           pointsOf (next_pixels_), cells, grid_.step, sensor_, pixels_[next_pixels_]);
     const auto pixelRow = [&] (int row) {
       return row < points_.height ? pixels_[row] : no_pixels_[0];
     };
-    const std::array<PixelRow, 3> rows{
-        {pixelRow (v), pixelRow (v + 1), pixelRow (v + grid_.step)}};
+    const std::array<PixelRow, 5> rows{{pixelRow (v),
+                                        pixelRow (v + 1),
+                                        pixelRow (v + 2),
+                                        pixelRow (v + 3),
+                                        pixelRow (v + 4)}};
     sumTangents (
         rows.data(), cells, grid_.step, sensor_, units_, sums_[0], cells_[next_sum_]);
     addUp (sums_[0],

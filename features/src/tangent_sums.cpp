@@ -74,19 +74,31 @@ loadPixel (PixelRow row, std::size_t first, std::size_t at)
           load (row[first + pixel_range] + at)};
 }
 
+/** The square of how much noise changes ranges of \a nearest and more. */
+HWY_INLINE V
+squaredGate (V nearest, const SensorModel& sensor)
+{
+  const V gate =
+      hn::Mul (set (gate_sigmas), sigma (sensor, hn::Mul (nearest, nearest)));
+  return hn::Mul (gate, gate);
+}
+
 /** From points to their neighbours; zero where they lie on different surfaces. */
 HWY_INLINE Vectors
-tangents (const Pixels& from, const Pixels& to, const SensorModel& sensor)
+tangents (const Pixels& from,
+          const Pixels& to,
+          V squared_step,
+          V squared_gate,
+          const SensorModel& sensor)
 {
   const Vectors tangent = to.p - from.p;
   const V change = hn::Sub (to.range, from.range);
-  const V nearer = hn::Min (from.range, to.range);
-  const V gate = hn::Mul (set (gate_sigmas), sigma (sensor, hn::Mul (nearer, nearer)));
   constexpr float slope = gate_slope * gate_slope;
   // Also false where a range is infinite.
   const Mask near =
-      hn::Lt (hn::Mul (set (1.f + slope), hn::Mul (change, change)),
-              hn::MulAdd (set (slope), dot (tangent, tangent), hn::Mul (gate, gate)));
+      hn::Or (hn::Lt (squared_step, squared_gate),
+              hn::Lt (hn::Mul (set (1.f + slope), hn::Mul (change, change)),
+                      hn::MulAdd (set (slope), dot (tangent, tangent), squared_gate)));
   const V max_change = set (2.f * sensor.max_depth_change_factor);
   const V limit = hn::MulAdd (max_change, from.range, max_change);
   return onlyWhere (hn::And (near, hn::Le (hn::Abs (change), limit)), tangent);
@@ -97,27 +109,72 @@ struct CellSums {
   Vectors horizontal, vertical;
 };
 
-template <int step>
+/** Of cells of one pixel. */
+HWY_INLINE CellSums
+pixelSums (const PixelRow* pixels, std::size_t at, const SensorModel& sensor)
+{
+  const Pixels first = loadPixel (pixels[0], 0, at);
+  const auto link = [&] (const Pixels& to) HWY_ATTR {
+    return tangents (first,
+                     to,
+                     set (std::numeric_limits<float>::infinity()),
+                     squaredGate (hn::Min (first.range, to.range), sensor),
+                     sensor);
+  };
+  return {link (loadPixel (pixels[0], 0, at + 1)), link (loadPixel (pixels[1], 0, at))};
+}
+
+/** The square of the step between the first two of four pixels in a line, in the mean of
+ * two lines, of whose ranges these are the sums: how much more the range changes there than
+ * between the last two. Slant has no part in that. Differences that the noise on slanted
+ * surfaces makes too large are so in one direction only: without them, normals would turn
+ * towards the sensor. */
+HWY_INLINE V
+squaredStep (V first, V second, V third, V fourth)
+{
+  const V change = hn::Sub (second, first);
+  const V step = hn::Mul (set (0.5f), hn::Sub (change, hn::Sub (fourth, third)));
+  return hn::Mul (step, step);
+}
+
+/** Of cells of 2 x 2 pixels. */
 HWY_INLINE CellSums
 cellSums (const PixelRow* pixels, std::size_t at, const SensorModel& sensor)
 {
-  const auto link = [&] (const Pixels& from, const Pixels& to)
-                        HWY_ATTR { return tangents (from, to, sensor); };
+  const auto range = [&] (std::size_t row, std::size_t column) HWY_ATTR {
+    const std::size_t channel = column % 2 * pixel_channels + pixel_range;
+    return load (pixels[row][channel] + at + column / 2);
+  };
+  const auto inColumn = [&] (std::size_t column) HWY_ATTR {
+    return hn::Add (range (0, column), range (1, column));
+  };
+  const auto inRow = [&] (std::size_t row)
+                         HWY_ATTR { return hn::Add (range (row, 0), range (row, 1)); };
+  const V c1 = inColumn (1), c2 = inColumn (2), c3 = inColumn (3);
+  const V r1 = inRow (1), r2 = inRow (2), r3 = inRow (3);
+  const V right = squaredStep (inColumn (0), c1, c2, c3);
+  const V next_right = squaredStep (c1, c2, c3, inColumn (4));
+  const V down = squaredStep (inRow (0), r1, r2, r3);
+  const V next_down = squaredStep (r1, r2, r3, inRow (4));
+
   const Pixels first = loadPixel (pixels[0], 0, at);
-  if constexpr (step == 1)
-    return {link (first, loadPixel (pixels[0], 0, at + 1)),
-            link (first, loadPixel (pixels[1], 0, at))};
-  else {
-    const Pixels second = loadPixel (pixels[0], pixel_channels, at);
-    const Pixels third = loadPixel (pixels[1], 0, at);
-    const Pixels fourth = loadPixel (pixels[1], pixel_channels, at);
-    return {
-        (link (first, second) + link (second, loadPixel (pixels[0], 0, at + 1))) +
-            (link (third, fourth) + link (fourth, loadPixel (pixels[1], 0, at + 1))),
-        (link (first, third) + link (third, loadPixel (pixels[2], 0, at))) +
-            (link (second, fourth) +
-             link (fourth, loadPixel (pixels[2], pixel_channels, at)))};
-  }
+  const Pixels second = loadPixel (pixels[0], pixel_channels, at);
+  const Pixels third = loadPixel (pixels[1], 0, at);
+  const Pixels fourth = loadPixel (pixels[1], pixel_channels, at);
+  const V nearest = hn::Min (hn::Min (first.range, second.range),
+                             hn::Min (third.range, fourth.range));
+  const V squared_gate = squaredGate (nearest, sensor);
+  const auto link =
+      [&] (const Pixels& from, const Pixels& to, V squared_step)
+          HWY_ATTR { return tangents (from, to, squared_step, squared_gate, sensor); };
+  return {(link (first, second, right) +
+           link (second, loadPixel (pixels[0], 0, at + 1), next_right)) +
+              (link (third, fourth, right) +
+               link (fourth, loadPixel (pixels[1], 0, at + 1), next_right)),
+          (link (first, third, down) +
+           link (third, loadPixel (pixels[2], 0, at), next_down)) +
+              (link (second, fourth, down) +
+               link (fourth, loadPixel (pixels[2], pixel_channels, at), next_down))};
 }
 
 /** Writes a point of each cell, the first that is not missing. \return the range of it */
@@ -154,7 +211,8 @@ sumTangentsOf (const PixelRow* pixels,
       range = load (pixels[0][pixel_range] + i);
     else
       range = storeCellPoint (pixels, i, points);
-    const auto [h, v] = cellSums<step> (pixels, i, sensor);
+    const auto [h, v] =
+        step == 1 ? pixelSums (pixels, i, sensor) : cellSums (pixels, i, sensor);
     store (h, sums, 0, i);
     store (v, sums, 3, i);
     // Next to the sensor, tangents can be longer than the range.

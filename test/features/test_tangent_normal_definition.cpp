@@ -7,6 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 using namespace tangent_images;
@@ -69,6 +72,38 @@ private:
     return Eigen::Vector3d::Zero();
   }
 
+  double
+  range (int u, int v) const
+  {
+    return measured (u, v) ? point (u, v).norm()
+                           : std::numeric_limits<double>::infinity();
+  }
+
+  /** By how much more the range changes from a pixel of a cell of four to its neighbour
+   * than two pixels further on, in the mean of both rows or columns of the cell. */
+  double
+  stepBetween (int u, int v, int du, int dv) const
+  {
+    double sum = 0.;
+    for (const int line : {0, 1}) {
+      const int x = du == 1 ? u : u / 2 * 2 + line, y = dv == 1 ? v : v / 2 * 2 + line;
+      sum += range (x + du, y + dv) - range (x, y) -
+             (range (x + 3 * du, y + 3 * dv) - range (x + 2 * du, y + 2 * dv));
+    }
+    return std::abs (sum) / 2.;
+  }
+
+  /** Of both pixels, or of the cell of four. */
+  double
+  nearest (int u, int v, int du, int dv) const
+  {
+    if (step_ == 1)
+      return std::min (range (u, v), range (u + du, v + dv));
+    const int x = u / 2 * 2, y = v / 2 * 2;
+    return std::min (
+        {range (x, y), range (x + 1, y), range (x, y + 1), range (x + 1, y + 1)});
+  }
+
   /** From a pixel to its neighbour, if both see the same surface. */
   Eigen::Vector3d
   tangent (int u, int v, int du, int dv) const
@@ -76,11 +111,12 @@ private:
     if (!measured (u, v) || !measured (u + du, v + dv))
       return Eigen::Vector3d::Zero();
     const Eigen::Vector3d d = point (u + du, v + dv) - point (u, v);
-    const double from = point (u, v).norm(), to = point (u + du, v + dv).norm();
-    const double nearer = std::min (from, to), change = to - from;
-    const double gate = 3.5 * (0.001 + 0.002 * nearer * nearer), slope = 4. * 4.;
+    const double from = range (u, v), change = range (u + du, v + dv) - from;
+    const double near = nearest (u, v, du, dv);
+    const double gate = 3.5 * (0.001 + 0.002 * near * near), slope = 4. * 4.;
     const bool is_one =
-        (1. + slope) * change * change <= gate * gate + slope * d.squaredNorm() &&
+        ((step_ == 2 && stepBetween (u, v, du, dv) <= gate) ||
+         (1. + slope) * change * change <= gate * gate + slope * d.squaredNorm()) &&
         std::abs (change) <= 2. * 0.02 * (from + 1.);
     return is_one ? d : Eigen::Vector3d::Zero();
   }

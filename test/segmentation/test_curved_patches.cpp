@@ -204,3 +204,20 @@ TEST (CurvedPatches, ACeilingSeenAtAFlatAngleIsNone)
   ASSERT_GE (extraction.planes().size(), 1u);
   EXPECT_GT (extraction.moments()[0].points, 640u * 160u * 9u / 10u);
 }
+
+/** Noise a little above what is set turned its normals towards the sensor, so that it was
+ * taken for a part of an uneven surface. */
+TEST (CurvedPatches, AWallInTheNoiseOfActiveStereoIsNone)
+{
+  const auto noise = pcl::rgbd_planes::DepthNoise::activeStereo();
+  const auto sigma = [=] (float z) { return 1.2f * noise.sigma (z * z); };
+  const auto wall = render ({tiltedPlane (3.5f, 30.f, 0.f)}, 640, 480, sigma).cloud;
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+  segmentation.setDepthNoise (noise);
+  segmentation.setInputCloud (wall);
+  segmentation.setInputNormals (estimateNormals (wall));
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers;
+  segmentation.segment (models, inliers);
+  EXPECT_EQ (models.size(), 1u);
+}
