@@ -621,8 +621,9 @@ TEST (SupportedObjectExtraction, PolesAreNoObjects)
         };
         EXPECT_EQ (objects (1.f), 0u) << width << " " << x << " " << noise;
         // What noise parts is more than one.
-        if (width > 0.015f)
+        if (width > 0.015f) {
           EXPECT_GE (objects (0.28f), 1u) << width << " " << x << " " << noise;
+        }
       }
 }
 
