@@ -22,9 +22,8 @@ namespace {
 constexpr float min_edge = 1.f, min_jump = 1.4f;
 constexpr std::size_t min_places = 4;
 constexpr float min_votes = min_places * min_edge;
-/** The shift of the surface behind a step, and what it leaves of the root mean square of
- * the errors. */
-constexpr double min_height = 1.6, max_left = 0.95;
+/** The shift of the surface behind a step. */
+constexpr double min_height = 1.6;
 constexpr std::size_t longest_vector = 16;
 /** Where samples that fill up a vector are: behind no line. */
 constexpr float nowhere = -std::numeric_limits<float>::infinity();
@@ -36,7 +35,8 @@ using Products = Eigen::Matrix<double, 6, 6>;
 bool
 StepFinder::find (const std::vector<SampleError>& samples,
                   std::size_t min_side,
-                  GridLine& step)
+                  GridLine& step,
+                  double max_left)
 {
   if (samples.size() < min_places)
     return false;

@@ -14,12 +14,9 @@ namespace {
 /** Errors are in thirds of the distance that points may have, which are standard deviations
  * of depth unless these are said to be smaller than those of single points. */
 constexpr float reach = 3.f;
-/** Planes with steps have larger errors. Those of planes with more of the samples of the image
- * are larger without, for these are errors of the sensor. */
-constexpr double min_error = 0.8, min_error_if_large = 1.15;
+/** The sensor bends planes with more of the samples of the image, so that their errors are
+ * larger without a step as well. */
 constexpr double large_share = 0.08;
-/** So many steps are taken from a large plane. */
-constexpr int max_steps = 3;
 /** The error of what lies on a plane, and of those points of it that a tilted plane missed. */
 constexpr double max_error = 1.5, max_missed_error = 2.5;
 /** These are not more than such a part of it. */
@@ -82,10 +79,10 @@ StepSplit::compute (const PlaneSamples& samples,
   const float unit = max_sigmas / reach;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const bool is_large = static_cast<double> (planes[k].points) > large;
-    const double least = unit * (is_large ? min_error_if_large : min_error);
+    const Limits limits = is_large ? Limits{1.15, 0.9, 3} : Limits{0.8, 0.95, 1};
     int steps = 0;
-    while (steps < (is_large ? max_steps : 1) &&
-           splitOnce (samples, k, min_side, least, unit, owners, parts, planes))
+    while (steps < limits.max_steps &&
+           splitOnce (samples, k, min_side, limits, unit, owners, parts, planes))
       ++steps;
     if (is_large && steps > 0) {
       joinWhatLiesOn (k, max_missed_error * unit, owners, planes);
@@ -99,18 +96,19 @@ bool
 StepSplit::splitOnce (const PlaneSamples& samples,
                       std::size_t k,
                       std::size_t min_side,
-                      double least_error,
+                      const Limits& limits,
                       float unit,
                       std::vector<std::int32_t>& owners,
                       std::vector<TilePart>& parts,
                       std::vector<PlaneMoments>& planes)
 {
   const Eigen::Vector3d m = planes[k].inverseDistance();
-  if (!(planes[k].meanSquaredError (m) >= least_error * least_error))
+  const double least = limits.min_error * unit;
+  if (!(planes[k].meanSquaredError (m) >= least * least))
     return false;
   collect (samples, parts, static_cast<std::uint32_t> (k), m, unit);
   GridLine step;
-  if (!finder_.find (errors_, min_side, step))
+  if (!finder_.find (errors_, min_side, step, limits.max_left))
     return false;
   PlaneMoments sides[2];
   for (const SampleError& e : errors_) {

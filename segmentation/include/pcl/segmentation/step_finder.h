@@ -57,10 +57,14 @@ public:
    * \param[in] samples those of one plane
    * \param[in] min_side the least number of samples on either side
    * \param[out] step where it is
+   * \param[in] max_left what it leaves of the root mean square of the errors, at most
    * \return whether there is one
    */
   bool
-  find (const std::vector<SampleError>& samples, std::size_t min_side, GridLine& step);
+  find (const std::vector<SampleError>& samples,
+        std::size_t min_side,
+        GridLine& step,
+        double max_left = 0.95);
 
 private:
   /** Places of the grid where errors jump, in coordinates along lines and across, and for

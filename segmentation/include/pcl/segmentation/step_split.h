@@ -42,11 +42,17 @@ public:
            std::vector<PlaneMoments>& planes);
 
 private:
+  struct Limits {
+    double min_error; /**< of planes with steps */
+    double max_left;  /**< what a step leaves of it */
+    int max_steps;    /**< of one plane */
+  };
+
   bool
   splitOnce (const PlaneSamples& samples,
              std::size_t k,
              std::size_t min_side,
-             double least_error,
+             const Limits& limits,
              float unit,
              std::vector<std::int32_t>& owners,
              std::vector<TilePart>& parts,
