@@ -3,6 +3,7 @@
 
 #include "step_kernels.h"
 
+#include <pcl/features/row_ring.h>
 #include <pcl/segmentation/step_finder.h>
 
 #include <Eigen/LU>
@@ -24,7 +25,6 @@ constexpr std::size_t min_places = 4;
 constexpr float min_votes = min_places * min_edge;
 /** The shift of the surface behind a step. */
 constexpr double min_height = 1.6;
-constexpr std::size_t longest_vector = 16;
 /** Where samples that fill up a vector are: behind no line. */
 constexpr float nowhere = -std::numeric_limits<float>::infinity();
 
@@ -77,7 +77,8 @@ StepFinder::layOut (const std::vector<SampleError>& samples)
   stride_ = last_[0] - first_[0] + 1 + 2 * margin;
   const int rows = last_[1] - first_[1] + 1 + 2 * margin;
   for (auto* values : {&errors_, &own_, &jumps_})
-    values->assign (static_cast<std::size_t> (stride_ * rows) + longest_vector, 0.f);
+    values->assign (static_cast<std::size_t> (stride_ * rows) + RowRing<float>::lanes,
+                    0.f);
   for (const SampleError& sample : samples) {
     errors_[place (sample.u, sample.v)] = sample.error;
     own_[place (sample.u, sample.v)] = 1.f;
@@ -196,8 +197,8 @@ StepFinder::jumpsAlong (const GridLine& line) const
 void
 StepFinder::fitSurface (const std::vector<SampleError>& samples)
 {
-  const std::size_t size =
-      (samples.size() + longest_vector - 1) / longest_vector * longest_vector;
+  const auto size = static_cast<std::size_t> (
+      RowRing<float>::roundUp (static_cast<int> (samples.size())));
   surface_.columns.assign (size, nowhere);
   surface_.rows.assign (size, nowhere);
   for (auto* values : {&surface_.u, &surface_.v, &surface_.errors})

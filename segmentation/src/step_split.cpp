@@ -43,19 +43,22 @@ planeUnder (const PlaneMoments& side,
 }
 
 /** Small planes that lie on one whose step was taken join it: it was tilted, and missed
- * them. They are left without samples. */
-void
+ * them. They are left without samples.
+ * \return whether there are any */
+bool
 joinWhatLiesOn (std::size_t plane,
                 double most,
                 std::vector<std::int32_t>& owners,
                 std::vector<PlaneMoments>& planes)
 {
+  bool is_any = false;
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    const double error = planes[k].meanSquaredError (planes[plane].inverseDistance());
     if (static_cast<double> (planes[k].points) >
-            max_missed * static_cast<double> (planes[plane].points) ||
-        !(error < most * most))
+        max_missed * static_cast<double> (planes[plane].points))
       continue;
+    if (!(planes[k].meanSquaredError (planes[plane].inverseDistance()) < most * most))
+      continue;
+    is_any = true;
     planes[plane] += planes[k];
     planes[k] = {};
     std::replace (owners.begin(),
@@ -63,6 +66,7 @@ joinWhatLiesOn (std::size_t plane,
                   static_cast<std::int32_t> (k),
                   static_cast<std::int32_t> (plane));
   }
+  return is_any;
 }
 
 } // namespace
@@ -84,10 +88,9 @@ StepSplit::compute (const PlaneSamples& samples,
     while (steps < limits.max_steps &&
            splitOnce (samples, k, min_side, limits, unit, owners, parts, planes))
       ++steps;
-    if (is_large && steps > 0) {
-      joinWhatLiesOn (k, max_missed_error * unit, owners, planes);
+    if (is_large && steps > 0 &&
+        joinWhatLiesOn (k, max_missed_error * unit, owners, planes))
       findTileParts (owners, parts);
-    }
   }
 }
 

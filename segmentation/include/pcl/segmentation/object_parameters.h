@@ -19,7 +19,7 @@ struct ObjectParameters {
   float max_object_height = 0.3f;
   /** Lower things are noise, and so is what rises by less than 3 standard deviations. */
   float min_object_height = 0.01f;
-  /** How far outside of the hull of its plane a point of an object may lie. */
+  /** How far outside of the hull of its plane a thing may lie. */
   float hull_tolerance = 0.03f;
   /** How much further up to three quarters of a thing may reach. */
   float max_overhang = 0.2f;
