@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -22,7 +21,10 @@ namespace {
  * along a step. */
 constexpr float min_edge = 1.f, min_jump = 1.4f;
 constexpr std::size_t min_places = 4;
-constexpr float min_votes = min_places * min_edge;
+constexpr LineLimits limits{min_places * min_edge, min_jump, min_places};
+/** Between the rows of the grid. More samples beside a place are not looked at, nor do vectors
+ * reach farther. */
+constexpr std::size_t margin = RowRing<float>::lanes;
 /** The shift of the surface behind a step. */
 constexpr double min_height = 1.6;
 /** Where samples that fill up a vector are: behind no line. */
@@ -40,10 +42,10 @@ StepFinder::find (const std::vector<SampleError>& samples,
 {
   if (samples.size() < min_places)
     return false;
-  layOut (samples);
   lines_.clear();
   for (const bool is_steep : {false, true}) {
-    findEdges (samples, is_steep);
+    layOut (samples, is_steep);
+    findEdges();
     findLines (is_steep);
   }
   if (lines_.empty())
@@ -60,8 +62,15 @@ StepFinder::find (const std::vector<SampleError>& samples,
   return most > (1. - max_left * max_left) * squares_;
 }
 
+std::size_t
+StepFinder::place (int along, int across) const
+{
+  return margin + static_cast<std::size_t> (along) * stride_ +
+         static_cast<std::size_t> (across);
+}
+
 void
-StepFinder::layOut (const std::vector<SampleError>& samples)
+StepFinder::layOut (const std::vector<SampleError>& samples, bool is_steep)
 {
   for (const int k : {0, 1}) {
     first_[k] = std::numeric_limits<int>::max();
@@ -74,38 +83,35 @@ StepFinder::layOut (const std::vector<SampleError>& samples)
       last_[k] = std::max (last_[k], at[k]);
     }
   }
-  stride_ = last_[0] - first_[0] + 1 + 2 * margin;
-  const int rows = last_[1] - first_[1] + 1 + 2 * margin;
-  for (auto* values : {&errors_, &own_, &jumps_})
-    values->assign (static_cast<std::size_t> (stride_ * rows) + RowRing<float>::lanes,
-                    0.f);
+  const int across = is_steep ? 0 : 1, along = 1 - across;
+  width_ = last_[across] - first_[across] + 1;
+  height_ = last_[along] - first_[along] + 1;
+  stride_ = static_cast<std::size_t> (RowRing<float>::roundUp (width_)) + margin;
+  const std::size_t end = margin + stride_ * static_cast<std::size_t> (height_);
+  errors_.assign (end + margin, 0.f);
+  own_.assign (end + margin, 0.f);
+  jumps_.resize (end + margin);
   for (const SampleError& sample : samples) {
-    errors_[place (sample.u, sample.v)] = sample.error;
-    own_[place (sample.u, sample.v)] = 1.f;
+    const int at[] = {sample.u - first_[0], sample.v - first_[1]};
+    errors_[place (at[along], at[across])] = sample.error;
+    own_[place (at[along], at[across])] = 1.f;
   }
 }
 
 void
-StepFinder::findEdges (const std::vector<SampleError>& samples, bool is_steep)
+StepFinder::findEdges()
 {
-  const std::size_t across = is_steep ? 1 : static_cast<std::size_t> (stride_);
-  findJumps (errors_.data(),
-             own_.data(),
-             place (first_[0], first_[1]),
-             place (last_[0], last_[1]) + 1,
-             across,
-             jumps_.data());
-  for (auto* values : {&edges_.along, &edges_.across, &edges_.jump})
-    values->clear();
-  for (const SampleError& sample : samples) {
-    const std::size_t at = place (sample.u, sample.v);
-    const float jump = std::abs (jumps_[at]);
-    if (jump >= min_edge && jump >= std::abs (jumps_[at - across]) &&
-        jump > std::abs (jumps_[at + across])) {
-      edges_.along.push_back (static_cast<float> (is_steep ? sample.v : sample.u));
-      edges_.across.push_back (static_cast<float> (is_steep ? sample.u : sample.v));
-      edges_.jump.push_back (jumps_[at]);
-    }
+  const std::size_t end = margin + stride_ * static_cast<std::size_t> (height_);
+  findJumps (errors_.data(), own_.data(), margin, end, jumps_.data());
+  places_.resize (end);
+  const std::size_t count =
+      findPeaks (jumps_.data(), margin, end, min_edge, places_.data());
+  edges_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t> (places_[i]);
+    edges_.push_back ({static_cast<int> ((place - margin) / stride_),
+                       static_cast<int> ((place - margin) % stride_),
+                       jumps_[place]});
   }
 }
 
@@ -115,83 +121,41 @@ StepFinder::findLines (bool is_steep)
 {
   if (edges_.size() < min_places)
     return;
-  const auto ends = std::minmax_element (edges_.along.begin(), edges_.along.end());
-  const float middle = 0.5f * (*ends.first + *ends.second);
-  const auto length = static_cast<int> (*ends.second - *ends.first);
-  const int across = is_steep ? 0 : 1;
-  const int first_bin = first_[across] - length;
-  votes_.assign (static_cast<std::size_t> (last_[across] - first_bin + length + 2),
-                 0.f);
-  edges_.bin.resize (edges_.size());
+  const int length = edges_.back().along - edges_.front().along;
+  const float middle =
+      0.5f * static_cast<float> (edges_.front().along + edges_.back().along);
   const int slopes = length / 2 + 1;
+  // Lines are numbered by where they cross the middle, from the first that may meet the grid.
+  const int across = is_steep ? 0 : 1;
+  const int first = first_[across] - height_;
+  const float origin = middle + static_cast<float> (first_[1 - across]);
+  votes_.resize (
+      static_cast<std::size_t> (RowRing<float>::roundUp (width_ + 2 * height_)));
+  found_.resize (votes_.size());
+  starts_.resize (static_cast<std::size_t> (height_));
   for (int k = -slopes; k <= slopes; ++k) {
     const float slope = static_cast<float> (k) / static_cast<float> (slopes);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      // Where a line through the edge is in the middle, rounded up.
-      const float at_middle = edges_.across[i] - static_cast<float> (first_bin) -
-                              slope * (edges_.along[i] - middle);
-      const auto whole = static_cast<int> (at_middle);
-      edges_.bin[i] = whole + (at_middle > static_cast<float> (whole) ? 1 : 0);
+    for (int along = 0; along < height_; ++along) {
+      const float at = slope * (static_cast<float> (along) - middle);
+      starts_[static_cast<std::size_t> (along)] =
+          2 * height_ - static_cast<int> (at + static_cast<float> (height_));
     }
-    float most = 0.f;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      float& votes = votes_[static_cast<std::size_t> (edges_.bin[i])];
-      votes += edges_.jump[i];
-      most = std::max (most, std::abs (votes));
+    std::fill (votes_.begin(), votes_.end(), 0.f);
+    for (const Edge& edge : edges_) {
+      const int line = edge.across + starts_[static_cast<std::size_t> (edge.along)];
+      votes_[static_cast<std::size_t> (line)] += edge.jump;
     }
-    if (most < min_votes) {
-      std::fill (votes_.begin(), votes_.end(), 0.f);
-      continue;
-    }
-    for (const int bin : edges_.bin) {
-      const float votes = std::exchange (votes_[static_cast<std::size_t> (bin)], 0.f);
-      if (!(std::abs (votes) >= min_votes))
-        continue;
-      const GridLine line{
-          is_steep, slope, static_cast<float> (bin + first_bin) - slope * middle};
-      if (jumpsAlong (line))
-        lines_.push_back (line);
-    }
+    const std::size_t count = rgbd_planes::findLines (jumps_.data() + margin,
+                                                      width_,
+                                                      stride_,
+                                                      starts_,
+                                                      votes_,
+                                                      limits,
+                                                      found_.data());
+    for (std::size_t i = 0; i < count; ++i)
+      lines_.push_back (
+          {is_steep, slope, static_cast<float> (found_[i] + first) - slope * origin});
   }
-}
-
-bool
-StepFinder::jumpsAlong (const GridLine& line) const
-{
-  const int k = line.is_steep ? 1 : 0;
-  const auto first = static_cast<float> (first_[1 - k]),
-             last = static_cast<float> (last_[1 - k] + 1);
-  const auto acrossAt = [&line] (int along) {
-    return line.slope * static_cast<float> (along) + line.offset;
-  };
-  const auto isInside = [&] (int along) {
-    return acrossAt (along) >= first && acrossAt (along) < last;
-  };
-  int begin = first_[k], end = last_[k] + 1;
-  if (line.slope != 0.f) { // The line enters and leaves the grid here, or beside.
-    const auto [enters, leaves] = std::minmax (
-        {(first - line.offset) / line.slope, (last - line.offset) / line.slope});
-    begin = std::max (begin, static_cast<int> (enters) - 1);
-    end = std::min (end, static_cast<int> (leaves) + 2);
-  }
-  while (begin < end && !isInside (begin))
-    ++begin;
-  while (begin < end && !isInside (end - 1))
-    --end;
-  const int along_step = line.is_steep ? stride_ : 1,
-            across_step = line.is_steep ? 1 : stride_;
-  const int origin = (margin - first_[1]) * stride_ + margin - first_[0];
-  float sum = 0.f;
-  int places = 0;
-  for (int along = begin; along < end; ++along) {
-    const int across = static_cast<int> (acrossAt (along));
-    const float jump = jumps_[static_cast<std::size_t> (origin + along * along_step +
-                                                        across * across_step)];
-    sum += jump;
-    places += jump != 0.f;
-  }
-  return places >= static_cast<int> (min_places) &&
-         std::abs (sum) >= min_jump * static_cast<float> (places);
 }
 
 void

@@ -9,6 +9,8 @@
 #include "step_kernels.h"
 #include "vectors-inl.h"
 
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -53,17 +55,16 @@ findJumpsHere (const float* errors,
                const float* own,
                std::size_t begin,
                std::size_t end,
-               std::size_t across,
                float* jumps)
 {
   for (std::size_t i = begin; i < end; i += hn::Lanes (Floats())) {
     V before = hn::Zero (Floats()), behind = before, number_before = before,
       number_behind = before;
     for (std::size_t k = 0; k < depth; ++k) {
-      before = hn::Add (before, load (errors + i - k * across));
-      number_before = hn::Add (number_before, load (own + i - k * across));
-      behind = hn::Add (behind, load (errors + i + (k + 1) * across));
-      number_behind = hn::Add (number_behind, load (own + i + (k + 1) * across));
+      before = hn::Add (before, load (errors + i - k));
+      number_before = hn::Add (number_before, load (own + i - k));
+      behind = hn::Add (behind, load (errors + i + k + 1));
+      number_behind = hn::Add (number_behind, load (own + i + k + 1));
     }
     const Mask is_known =
         hn::And (hn::Gt (load (own + i), hn::Zero (Floats())),
@@ -72,6 +73,70 @@ findJumpsHere (const float* errors,
         hn::Sub (hn::Div (before, number_before), hn::Div (behind, number_behind));
     hn::StoreU (hn::IfThenElseZero (is_known, jump), Floats(), jumps + i);
   }
+}
+
+std::size_t
+findPeaksHere (
+    const float* jumps, std::size_t begin, std::size_t end, float least, int* peaks)
+{
+  const hn::Rebind<std::int32_t, Floats> ints;
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; i += hn::Lanes (Floats())) {
+    const V jump = hn::Abs (load (jumps + i));
+    const Mask is_peak =
+        hn::And (hn::Ge (jump, hn::Max (set (least), hn::Abs (load (jumps + i - 1)))),
+                 hn::Gt (jump, hn::Abs (load (jumps + i + 1))));
+    count += hn::CompressStore (hn::Iota (ints, static_cast<int> (i)),
+                                hn::RebindMask (ints, is_peak),
+                                ints,
+                                peaks + count);
+  }
+  return count;
+}
+
+std::size_t
+findLinesHere (const float* jumps,
+               int width,
+               std::size_t stride,
+               const std::vector<int>& starts,
+               const std::vector<float>& votes,
+               const LineLimits& limits,
+               int* lines)
+{
+  const hn::Rebind<std::int32_t, Floats> ints;
+  const auto lanes = static_cast<int> (hn::Lanes (Floats()));
+  std::size_t count = 0;
+  for (int first = 0; first < static_cast<int> (votes.size()); first += lanes) {
+    const Mask is_voted =
+        hn::Ge (hn::Abs (load (&votes[static_cast<std::size_t> (first)])),
+                set (limits.min_votes));
+    if (hn::AllFalse (Floats(), is_voted))
+      continue;
+    const auto isBeside = [&] (std::size_t row) {
+      return first - starts[row] <= -lanes || first - starts[row] >= width;
+    };
+    std::size_t begin = 0, end = starts.size();
+    while (begin < end && isBeside (begin))
+      ++begin;
+    while (begin < end && isBeside (end - 1))
+      --end;
+    V sum = hn::Zero (Floats()), places = sum;
+    for (std::size_t row = begin; row < end; ++row) {
+      const V jump = load (jumps + static_cast<std::ptrdiff_t> (row * stride) + first -
+                           starts[row]);
+      sum = hn::Add (sum, jump);
+      places = hn::Add (
+          places, hn::IfThenElseZero (hn::Ne (jump, hn::Zero (Floats())), set (1.f)));
+    }
+    const Mask jumps_here =
+        hn::And (hn::Ge (places, set (limits.min_places)),
+                 hn::Ge (hn::Abs (sum), hn::Mul (set (limits.min_jump), places)));
+    count += hn::CompressStore (hn::Iota (ints, first),
+                                hn::RebindMask (ints, hn::And (is_voted, jumps_here)),
+                                ints,
+                                lines + count);
+  }
+  return count;
 }
 
 void
@@ -122,6 +187,8 @@ namespace pcl {
 namespace rgbd_planes {
 
 HWY_EXPORT (findJumpsHere);
+HWY_EXPORT (findPeaksHere);
+HWY_EXPORT (findLinesHere);
 HWY_EXPORT (sumProductsHere);
 HWY_EXPORT (sumBehindHere);
 
@@ -130,10 +197,29 @@ findJumps (const float* errors,
            const float* own,
            std::size_t begin,
            std::size_t end,
-           std::size_t across,
            float* jumps)
 {
-  HWY_DYNAMIC_DISPATCH (findJumpsHere) (errors, own, begin, end, across, jumps);
+  HWY_DYNAMIC_DISPATCH (findJumpsHere) (errors, own, begin, end, jumps);
+}
+
+std::size_t
+findPeaks (
+    const float* jumps, std::size_t begin, std::size_t end, float least, int* peaks)
+{
+  return HWY_DYNAMIC_DISPATCH (findPeaksHere) (jumps, begin, end, least, peaks);
+}
+
+std::size_t
+findLines (const float* jumps,
+           int width,
+           std::size_t stride,
+           const std::vector<int>& starts,
+           const std::vector<float>& votes,
+           const LineLimits& limits,
+           int* lines)
+{
+  return HWY_DYNAMIC_DISPATCH (findLinesHere) (
+      jumps, width, stride, starts, votes, limits, lines);
 }
 
 void

@@ -67,30 +67,21 @@ public:
         double max_left = 0.95);
 
 private:
-  /** Places of the grid where errors jump, in coordinates along lines and across, and for
-   * each where a line through it is. */
-  struct Edges {
-    std::vector<float> along, across, jump;
-    std::vector<int> bin;
-
-    std::size_t
-    size () const
-    {
-      return jump.size();
-    }
+  /** A place of the grid where errors jump, from its first row on and from the first place
+   * in a row. */
+  struct Edge {
+    int along, across;
+    float jump;
   };
 
   void
-  layOut (const std::vector<SampleError>& samples);
+  layOut (const std::vector<SampleError>& samples, bool is_steep);
 
   void
-  findEdges (const std::vector<SampleError>& samples, bool is_steep);
+  findEdges ();
 
   void
   findLines (bool is_steep);
-
-  bool
-  jumpsAlong (const GridLine& line) const;
 
   void
   fitSurface (const std::vector<SampleError>& samples);
@@ -99,23 +90,24 @@ private:
   gainOf (const GridLine& line, std::size_t samples, std::size_t min_side) const;
 
   std::size_t
-  place (int u, int v) const
-  {
-    return static_cast<std::size_t> ((v - first_[1] + margin) * stride_ + u -
-                                     first_[0] + margin);
-  }
+  place (int along, int across) const;
 
-  /** How far samples beside a place are looked at. */
-  static constexpr int margin = 5;
   /** The first and last column and row of the samples. */
   int first_[2] = {0, 0}, last_[2] = {0, 0};
-  /** Of the grid between these, with margins. */
-  int stride_ = 0;
+  /** Of the grid between these, whose rows lie across the lines: places in a row, rows, and from
+   * one row to the next. */
+  int width_ = 0, height_ = 0;
+  std::size_t stride_ = 0;
   /** For each place of the grid: the error, 1 where there is one, and the difference
    * between the means before a line behind that place and behind it; else 0. */
   std::vector<float> errors_, own_, jumps_;
-  Edges edges_;
+  std::vector<int> places_;
+  std::vector<Edge> edges_;
+  /** Of the lines of one slope: that of the first place in each row, the votes for each, and
+   * those along which errors jump. */
+  std::vector<int> starts_;
   std::vector<float> votes_;
+  std::vector<int> found_;
   std::vector<GridLine> lines_;
   SurfaceSamples surface_;
   /** Of the surface of second order: the factors of 1, u, v, uu, uv, vv and the error with which
