@@ -65,6 +65,7 @@ FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 , normals_ (new pcl::PointCloud<pcl::Normal>)
 , labels_ (new pcl::PointCloud<pcl::Label>)
 {
+  estimation_.setDepthNoise (options.depth_noise);
   segmentation_.setDepthNoise (options.depth_noise);
   extraction_.setDepthNoise (options.depth_noise);
   detection_.setDepthNoise (options.depth_noise);

@@ -69,6 +69,9 @@ TangentRowPipeline::start (const OrganizedPoints& points,
   parameters_ = &parameters;
   grid_ = grid;
   sensor_.origin = parameters.sensor_origin;
+  // So that deviations of depth, and their reciprocals, are floats at any range.
+  sensor_.noise.constant = std::clamp (parameters.noise.constant, 1e-30f, 1e30f);
+  sensor_.noise.quadratic = std::min (parameters.noise.quadratic, 1e6f);
   sensor_.max_depth_change_factor = parameters.max_depth_change_factor;
   begin_ = begin;
   padded_width_ = RowRing<float>::roundUp (grid_.width);

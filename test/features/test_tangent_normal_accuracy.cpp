@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <random>
 
 using synthetic::angleDegrees;
 using namespace normal_clouds;
@@ -125,6 +126,20 @@ errorsInSimulation (Estimation estimation)
   return errors;
 }
 
+/** The points of a frame with Gaussian noise of depth. */
+Cloud
+withNoise (const SimulatedFrame& frame, const pcl::rgbd_planes::DepthNoise& noise)
+{
+  Cloud cloud;
+  pcl::copyPointCloud (*frame.cloud, cloud);
+  std::mt19937 generator (1);
+  std::normal_distribution<float> normal;
+  for (auto& point : cloud)
+    point.getVector3fMap() *=
+        1.f + normal (generator) * noise.sigma (point.z * point.z) / point.z;
+  return cloud;
+}
+
 /** The angle between the normal of a plane 2.5 m away and the mean of those that are
  * estimated, with \a noise times that of a Kinect. */
 float
@@ -193,6 +208,32 @@ TEST (TangentNormalAccuracy, EveryAdditionHelpsInSimulation)
     EXPECT_LT (errors.far_interior.mean(), by_default.far_interior.mean());
     EXPECT_LE (errors.all.shareMissing(), 0.001);
   }
+}
+
+/** Gaussian noise, with these figures and with those of a Kinect expected. */
+TEST (TangentNormalAccuracy, IsBetterWithTheNoiseOfTheSensor)
+{
+  const pcl::rgbd_planes::DepthNoise sensors[] = {{0.0002f, 0.0004f}, {0.002f, 0.004f}};
+  for (const auto& noise : sensors)
+    for (const unsigned step : {1u, 2u, 4u}) {
+      Estimation informed;
+      informed.setDepthNoise (noise);
+      Errors by_default, better;
+      for (const auto* scene : {"room", "table_cluttered"}) {
+        const auto frame =
+            pcl::rgbd_planes::simulate (scene, 1, pcl::rgbd_planes::Sensor::ideal);
+        const auto cloud = synthetic::subsample (withNoise (frame, noise), step);
+        Normals normals;
+        pcl::copyPointCloud (*frame.truth, normals);
+        const auto truth = synthetic::subsample (normals, step);
+        by_default.add (estimate<Estimation> (cloud), *truth);
+        better.add (estimate (informed, cloud), *truth);
+      }
+      EXPECT_LT (better.mean(), 0.95 * by_default.mean())
+          << noise.quadratic << " step " << step;
+      EXPECT_LE (better.shareAbove25(), by_default.shareAbove25())
+          << noise.quadratic << " step " << step;
+    }
 }
 
 /** Differences of depth that noise makes too large to count were so in one direction only. */

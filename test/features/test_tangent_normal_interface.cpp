@@ -67,6 +67,8 @@ TEST (TangentNormalInterface, BadSettingsAreRefused)
   estimation.setRectSize (0, 5);
   estimation.setRectSize (5, -1);
   estimation.setMaxDepthChangeFactor (-1.f);
+  estimation.setDepthNoise ({0.001f, -0.001f});
+  EXPECT_EQ (estimation.getDepthNoise().quadratic, 0.002f);
   EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate<Estimation> (cloud)));
 }
 
@@ -108,6 +110,9 @@ TEST (TangentNormalInterface, EverySetterHasAnEffect)
       [] (Estimation& e) { e.setDepthDependentSmoothing (true); },
       [] (Estimation& e) { e.setScaleSelection (true); },
       [] (Estimation& e) { e.setMaxDepthChangeFactor (0.f); },
+      [] (Estimation& e) {
+        e.setDepthNoise ({0.001f, 0.005f});
+      },
       [] (Estimation& e) { e.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE); },
       [] (Estimation& e) { e.setViewPoint (0.f, 0.f, 5.f); },
       [] (Estimation& e) { e.setEdgeAware (false); }};

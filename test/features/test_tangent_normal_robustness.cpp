@@ -31,17 +31,26 @@ images ()
 
 /** \return how many points have a normal; all others must be NaN */
 int
+expectUnitLengthOrNan (const ImageNormals& normals, const std::string& name)
+{
+  int valid = 0;
+  for (const Eigen::Vector4f& n : normals) {
+    const bool is_nan = n.array().isNaN().all();
+    const bool is_normal = std::abs (n.head<3>().norm() - 1.f) <= 1e-4f &&
+                           n[3] >= 0.f && n[3] <= 1.f / 3.f;
+    EXPECT_TRUE (is_nan || is_normal) << name << ": " << n.transpose();
+    valid += is_normal;
+  }
+  return valid;
+}
+
+/** In all modes together. */
+int
 expectUnitLengthOrNan (const Image& image, const std::string& name)
 {
   int valid = 0;
   for (const auto& mode : allModes())
-    for (const Eigen::Vector4f& n : compute (image, mode)) {
-      const bool is_nan = n.array().isNaN().all();
-      const bool is_normal = std::abs (n.head<3>().norm() - 1.f) <= 1e-4f &&
-                             n[3] >= 0.f && n[3] <= 1.f / 3.f;
-      EXPECT_TRUE (is_nan || is_normal) << name << ": " << n.transpose();
-      valid += is_normal;
-    }
+    valid += expectUnitLengthOrNan (compute (image, mode), name);
   return valid;
 }
 
@@ -82,6 +91,24 @@ TEST (TangentNormalRobustness, AnyMagnitudeIsSafe)
       const Image image = roughImage (size.width, size.height, 3, unit);
       expectUnitLengthOrNan (image, "unit " + std::to_string (unit));
     }
+}
+
+TEST (TangentNormalRobustness, AnyNoiseIsSafe)
+{
+  const pcl::rgbd_planes::DepthNoise noises[] = {
+      {0.f, 1e-45f}, {1e-45f, 0.f}, {0.f, 3e38f}, {3e38f, 0.f}, {1e38f, 1e38f}};
+  for (const float unit : {1e-12f, 1e-3f, 1.f, 1e3f, 1e14f})
+    for (const auto& size : images())
+      for (const auto& noise : noises) {
+        const Image image = roughImage (size.width, size.height, 3, unit);
+        for (auto mode : allModes()) {
+          mode.noise = noise;
+          expectUnitLengthOrNan (compute (image, mode),
+                                 "unit " + std::to_string (unit) + ", noise " +
+                                     std::to_string (noise.constant) + ", " +
+                                     std::to_string (noise.quadratic));
+        }
+      }
 }
 
 /** A cloud in millimetres, and objects of millimetres. */

@@ -21,12 +21,16 @@ constexpr std::int64_t fallback = HWY_STATIC_TARGET;
 enum class Mode { plain, edge_aware, by_depth, scales };
 
 ImageNormals
-computeWith (std::int64_t target, const Image& image, Mode mode)
+computeWith (std::int64_t target,
+             const Image& image,
+             Mode mode,
+             const pcl::rgbd_planes::DepthNoise& noise = {})
 {
   TangentNormalParameters parameters;
   parameters.edge_aware = mode != Mode::plain;
   parameters.depth_dependent_smoothing = mode == Mode::by_depth;
   parameters.scale_selection = mode == Mode::scales;
+  parameters.noise = noise;
   hwy::SetSupportedTargetsForTest (target);
   ImageNormals normals = compute (image, parameters);
   hwy::SetSupportedTargetsForTest (0);
@@ -78,16 +82,18 @@ void
 expectSameNormals (const Image& image,
                    const std::string& name,
                    const std::vector<Mode>& discontinuous = {},
-                   double share = 0.)
+                   double share = 0.,
+                   const pcl::rgbd_planes::DepthNoise& noise = {})
 {
   for (const Mode mode :
        {Mode::plain, Mode::edge_aware, Mode::by_depth, Mode::scales}) {
     const bool is_discontinuous =
         std::count (discontinuous.begin(), discontinuous.end(), mode) > 0;
-    const ImageNormals expected = computeWith (fallback, image, mode);
+    const ImageNormals expected = computeWith (fallback, image, mode, noise);
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-      EXPECT_LE (shareOfDifferences (computeWith (target, image, mode), expected),
-                 is_discontinuous ? share : 0.)
+      EXPECT_LE (
+          shareOfDifferences (computeWith (target, image, mode, noise), expected),
+          is_discontinuous ? share : 0.)
           << name << ", mode " << static_cast<int> (mode) << ", "
           << hwy::TargetName (target);
   }
@@ -166,6 +172,20 @@ TEST (VectorInstructions, TinyAndHugeCoordinates)
     expectSameNormals (roughImage (67, 41, 10, unit), "unit " + std::to_string (unit));
     expectSameNormals (roughImage (481, 6, 11, unit), "unit " + std::to_string (unit));
   }
+}
+
+TEST (VectorInstructions, HugeNoise)
+{
+  const pcl::rgbd_planes::DepthNoise noises[] = {
+      {0.f, 3e38f}, {3e38f, 0.f}, {1e38f, 1e38f}};
+  for (const float unit : {1e-12f, 1.f, 1e12f})
+    for (const auto& noise : noises) {
+      const std::string name = "unit " + std::to_string (unit) + ", noise " +
+                               std::to_string (noise.constant) + ", " +
+                               std::to_string (noise.quadratic);
+      expectSameNormals (roughImage (67, 41, 10, unit), name, {}, 0., noise);
+      expectSameNormals (roughImage (481, 6, 11, unit), name, {}, 0., noise);
+    }
 }
 
 /** Neighbours anywhere, no surface at all. Means of planes in all directions may nearly

@@ -111,6 +111,7 @@ private:
     estimation_.setDepthDependentSmoothing (data_.ConsumeBool());
     estimation_.setEdgeAware (data_.ConsumeBool());
     estimation_.setScaleSelection (data_.ConsumeBool());
+    estimation_.setDepthNoise (anyNoise (data_));
     estimation_.setBorderPolicy (data_.ConsumeBool()
                                      ? Estimation::BORDER_POLICY_IGNORE
                                      : Estimation::BORDER_POLICY_MIRROR);

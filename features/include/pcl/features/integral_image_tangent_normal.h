@@ -167,6 +167,22 @@ public:
   void
   setMaxDepthChangeFactor (float max_depth_change_factor);
 
+  /** \brief The noise of the sensor, which tells neighbouring surfaces apart; default
+   * rgbd_planes::DepthNoise::kinectV1 (). Normals are computed beyond its range as well. A
+   * noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are refused with an
+   * error. */
+  void
+  setDepthNoise (const rgbd_planes::DepthNoise& noise)
+  {
+    rgbd_planes::setDepthNoise (feature_name_, noise, parameters_.noise);
+  }
+
+  const rgbd_planes::DepthNoise&
+  getDepthNoise () const
+  {
+    return parameters_.noise;
+  }
+
   /** \brief What to do at image borders; default BORDER_POLICY_MIRROR. */
   void
   setBorderPolicy (BorderPolicy border_policy)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/tangent_row_pipeline.h>
@@ -31,6 +32,7 @@ struct TangentNormalParameters {
    * lie on different surfaces: no tangent spans them. Nor if they differ by more than the
    * noise and the slant of a surface explain. */
   float max_depth_change_factor = 0.02f;
+  DepthNoise noise;
   /** No normals where the smoothing area leaves the image, instead of cutting the area.
    */
   bool ignore_border = false;
