@@ -89,7 +89,7 @@ TangentRowPipeline::start (const OrganizedPoints& points,
   const int ahead = rows_around[0] + rows_around[1] + largest.half_height;
   margin_ = RowRing<float>::roundUp (largest.half_width + 1);
   staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
-  pixels_.reset (grid_.step == 1 ? ahead + 2 : 5,
+  pixels_.reset (grid_.step == 1 ? ahead + 4 : 5,
                  grid_.step * pixel_channels,
                  padded_width_,
                  2,
@@ -146,7 +146,7 @@ TangentRowPipeline::sumUpTo (int last)
   for (const int end = std::min (last + 1, grid_.height); next_sum_ < end;
        ++next_sum_) {
     const int v = next_sum_ * grid_.step;
-    const int last_pixels = v + (grid_.step == 1 ? 1 : 4);
+    const int last_pixels = v + (grid_.step == 1 ? 3 : 4);
     for (; next_pixels_ <= std::min (last_pixels, points_.height - 1); ++next_pixels_)
       loadPixels (
           pointsOf (next_pixels_), cells, grid_.step, sensor_, pixels_[next_pixels_]);

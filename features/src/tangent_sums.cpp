@@ -37,22 +37,20 @@ loadPixelsOf (const float* points,
     const float* next = points + 4 * step * (cells + i);
     for (std::size_t line = 0; line < 4 * step * hn::Lanes (Floats()); line += 16)
       hwy::Prefetch (next + line);
-    usePoints<step> (
-        points + 4 * step * i,
-        sensor,
-        [=, &sensor] (std::size_t k, const Points& loaded) HWY_ATTR {
-          const std::size_t channel = k * pixel_channels;
-          store (loaded.p, pixels, channel + cell_x, i);
-          const V reach = reciprocal (
-              hn::Mul (set (reach_sigmas), sigma (sensor, loaded.squared_range)));
-          store (hn::IfThenElseZero (loaded.measured, reach),
-                 pixels[channel + cell_reach] + i);
-          store (hn::IfThenElse (loaded.measured,
-                                 hn::Mul (loaded.squared_range,
-                                          reciprocalSqrt (loaded.squared_range)),
-                                 infinite),
-                 pixels[channel + pixel_range] + i);
-        });
+    usePoints<step> (points + 4 * step * i,
+                     sensor,
+                     [=, &sensor] (std::size_t k, const Points& loaded) HWY_ATTR {
+                       const std::size_t channel = k * pixel_channels;
+                       store (loaded.p, pixels, channel + cell_x, i);
+                       const V reach = reciprocal (hn::Mul (
+                           set (reach_sigmas), sigma (sensor, loaded.squared_range)));
+                       store (hn::IfThenElseZero (loaded.measured, reach),
+                              pixels[channel + cell_reach] + i);
+                       store (hn::IfThenElse (loaded.measured,
+                                              hn::Sqrt (loaded.squared_range),
+                                              infinite),
+                              pixels[channel + pixel_range] + i);
+                     });
   }
 }
 
@@ -74,12 +72,11 @@ loadPixel (PixelRow row, std::size_t first, std::size_t at)
           load (row[first + pixel_range] + at)};
 }
 
-/** The square of how much noise changes ranges of \a nearest and more. */
+/** The square of how much noise changes a range. */
 HWY_INLINE V
-squaredGate (V nearest, const SensorModel& sensor)
+squaredGate (V range, const SensorModel& sensor)
 {
-  const V gate =
-      hn::Mul (set (gate_sigmas), sigma (sensor, hn::Mul (nearest, nearest)));
+  const V gate = hn::Mul (set (gate_sigmas), sigma (sensor, hn::Mul (range, range)));
   return hn::Mul (gate, gate);
 }
 
@@ -109,19 +106,28 @@ struct CellSums {
   Vectors horizontal, vertical;
 };
 
-/** Of cells of one pixel. */
+/** Of cells of one pixel. Surfaces seen at a flatter angle are told from steps by the next two
+ * pixels: the range changes by the same from each to the next. */
 HWY_INLINE CellSums
 pixelSums (const PixelRow* pixels, std::size_t at, const SensorModel& sensor)
 {
   const Pixels first = loadPixel (pixels[0], 0, at);
-  const auto link = [&] (const Pixels& to) HWY_ATTR {
+  const V squared_gate = squaredGate (first.range, sensor);
+  const auto link = [&] (const Pixels& to, V third, V fourth) HWY_ATTR {
+    const V change = hn::Sub (third, to.range);
+    const V before = hn::Sub (change, hn::Sub (to.range, first.range));
+    const V behind = hn::Sub (change, hn::Sub (fourth, third));
     return tangents (first,
                      to,
-                     set (std::numeric_limits<float>::infinity()),
-                     squaredGate (hn::Min (first.range, to.range), sensor),
+                     hn::Max (hn::Mul (before, before), hn::Mul (behind, behind)),
+                     squared_gate,
                      sensor);
   };
-  return {link (loadPixel (pixels[0], 0, at + 1)), link (loadPixel (pixels[1], 0, at))};
+  const auto range = [&] (std::size_t row, std::size_t column) HWY_ATTR {
+    return load (pixels[row][pixel_range] + at + column);
+  };
+  return {link (loadPixel (pixels[0], 0, at + 1), range (0, 2), range (0, 3)),
+          link (loadPixel (pixels[1], 0, at), range (2, 0), range (3, 0))};
 }
 
 /** The square of the step between the first two of four pixels in a line, in the mean of

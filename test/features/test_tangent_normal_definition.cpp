@@ -79,11 +79,19 @@ private:
                            : std::numeric_limits<double>::infinity();
   }
 
-  /** By how much more the range changes from a pixel of a cell of four to its neighbour
+  /** By how much more or less the range changes from the second to the third of four pixels than
+   * before or behind. Of a cell of four: by how much more it changes from a pixel to its neighbour
    * than two pixels further on, in the mean of both rows or columns of the cell. */
   double
   stepBetween (int u, int v, int du, int dv) const
   {
+    const auto change = [&] (int k) {
+      return range (u + (k + 1) * du, v + (k + 1) * dv) -
+             range (u + k * du, v + k * dv);
+    };
+    if (step_ == 1)
+      return std::max (std::abs (change (1) - change (0)),
+                       std::abs (change (1) - change (2)));
     double sum = 0.;
     for (const int line : {0, 1}) {
       const int x = du == 1 ? u : u / 2 * 2 + line, y = dv == 1 ? v : v / 2 * 2 + line;
@@ -93,12 +101,12 @@ private:
     return std::abs (sum) / 2.;
   }
 
-  /** Of both pixels, or of the cell of four. */
+  /** Of the pixel, or of the cell of four. */
   double
-  nearest (int u, int v, int du, int dv) const
+  nearest (int u, int v) const
   {
     if (step_ == 1)
-      return std::min (range (u, v), range (u + du, v + dv));
+      return range (u, v);
     const int x = u / 2 * 2, y = v / 2 * 2;
     return std::min (
         {range (x, y), range (x + 1, y), range (x, y + 1), range (x + 1, y + 1)});
@@ -112,10 +120,10 @@ private:
       return Eigen::Vector3d::Zero();
     const Eigen::Vector3d d = point (u + du, v + dv) - point (u, v);
     const double from = range (u, v), change = range (u + du, v + dv) - from;
-    const double near = nearest (u, v, du, dv);
+    const double near = nearest (u, v);
     const double gate = 3.5 * (0.001 + 0.002 * near * near), slope = 4. * 4.;
     const bool is_one =
-        ((step_ == 2 && stepBetween (u, v, du, dv) <= gate) ||
+        (stepBetween (u, v, du, dv) <= gate ||
          (1. + slope) * change * change <= gate * gate + slope * d.squaredNorm()) &&
         std::abs (change) <= 2. * 0.02 * (from + 1.);
     return is_one ? d : Eigen::Vector3d::Zero();

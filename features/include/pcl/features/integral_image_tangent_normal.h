@@ -23,9 +23,9 @@ namespace pcl {
  * and does not depend on the size of the smoothing area.
  *
  * -# Tangents are the differences between neighbouring points to the left and right, and
- *    above and below, where both lie on one surface: by a model of the noise of depth.
- *    Images of 480 columns and more are divided into cells of 2 x 2 pixels, whose means tell
- *    slanted surfaces from steps also in more noise than that.
+ *    above and below, where both lie on one surface: by a model of the noise of depth;
+ *    slanted surfaces are told from steps by the pixels further on. Images of 480 columns and
+ *    more are divided into cells of 2 x 2 pixels, whose means do so also in more noise.
  * -# Six integral images, exact in fixed-point numbers, give the sums of tangents over the
  *    smoothing area around each cell, their cross product gives its plane, and the sums
  *    over its halves tell how much the surface bends inside.
@@ -50,9 +50,8 @@ namespace pcl {
  * Input: an organized cloud in any frame, in metres. Points with NaN, Inf or (0, 0, 0)
  * are missing depth. Output: as many normals as points (width x height kept), or one
  * for each index (N x 1) when indices are given; unit length, facing the viewpoint; NaN
- * where the point is missing or has no surface around it (or, in images of less than 480
- * columns, one that is seen more than 76 degrees off its normal, by pixels farther apart than
- * noise explains), with \c is_dense
+ * where the point is missing or has no surface around it (or one seen so flatly that
+ * neighbouring ranges differ by more than setMaxDepthChangeFactor allows), with \c is_dense
  * false then.
  * \c curvature is the ratio of the smallest eigenvalue to the sum of all (section 3)
  * that a smooth patch of the same bend would have. Coordinates are copied where
