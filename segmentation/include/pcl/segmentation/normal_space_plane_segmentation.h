@@ -253,9 +253,10 @@ public:
            std::vector<PointIndices>& label_indices);
 
   /** \brief Finds all planes.
-   * \param[out] regions the planes with their coefficients, the centroid, covariance and
-   * number of all their points, and the contour of their largest connected part: its
-   * outer boundary in the image, clockwise, without repeating the first point at the end
+   * \param[out] regions the planes with their coefficients, the centroid, covariance,
+   * curvature (smallest eigenvalue of the covariance by its trace) and number of all their
+   * points, and the contour of their largest connected part: its outer boundary in the
+   * image, clockwise, without repeating the first point at the end
    */
   void
   segment (Regions& regions);

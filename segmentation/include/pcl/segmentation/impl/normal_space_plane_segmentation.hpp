@@ -174,6 +174,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
                                        static_cast<unsigned> (moments.points),
                                        {},
                                        coefficients);
+    regions[k].setCurvature (static_cast<float> (moments.curvature()));
     fillContour (boundary, planes[k], regions[k].getContour());
   }
 }
