@@ -86,7 +86,7 @@ public:
   ~NormalSpacePlaneSegmentation() override = default;
 
   /** \brief One normal for each point of the input cloud, in the same order; of unit length,
-   * to 5 % (others are left out), and of any sign. */
+   * to 5 % (others are left out; a warning where no normal has it), and of any sign. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)
   {
@@ -356,7 +356,7 @@ private:
   extract ();
 
   void
-  warnOfMillimetres () const;
+  warnOfUnits () const;
 
   void
   fillModels (std::vector<ModelCoefficients>& model_coefficients,

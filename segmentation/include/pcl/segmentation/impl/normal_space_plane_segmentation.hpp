@@ -72,7 +72,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
       plane_extraction_.shift (sensor_origin_.head<3>());
     sensor_orientation_ = input_->sensor_orientation_;
     width_ = input_->width;
-    warnOfMillimetres();
+    warnOfUnits();
   }
   else
     plane_extraction_ = rgbd_planes::PlaneExtraction();
@@ -87,16 +87,23 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 
 template <typename PointT, typename PointNT, typename PointLT>
 void
-NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfMillimetres() const
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits() const
 {
   constexpr double farther_than_any_room = 100.;
   const Eigen::Vector3d sensor = sensor_origin_.head<3>().template cast<double>();
   const auto& moments = plane_extraction_.moments();
+  if (moments.empty()) {
+    if (rgbd_planes::noneIsUnit (*normals_))
+      PCL_WARN ("[pcl::%s] There are no planes, for no normal has a length of 1: scale "
+                "the normals of setInputNormals.\n",
+                getClassName().c_str());
+    return;
+  }
   const bool all_far =
       std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
         return (m.mean() - sensor).norm() > farther_than_any_room;
       });
-  if (!moments.empty() && all_far)
+  if (all_far)
     PCL_WARN (
         "[pcl::%s] All planes are more than %g m away: give points in metres, are "
         "these millimetres?\n",
