@@ -50,7 +50,8 @@ namespace pcl {
  * like the one before allocate none.
  *
  * A null, empty or unorganized cloud, normals that are missing or of another size, or
- * an index outside of the cloud: an error message and empty outputs.
+ * an index outside of the cloud: an error message and empty outputs. All planes farther off
+ * than 100 m, or none while no normal is of unit length: a warning, once for frames in a row.
  *
  * \ingroup segmentation
  */
@@ -86,7 +87,7 @@ public:
   ~NormalSpacePlaneSegmentation() override = default;
 
   /** \brief One normal for each point of the input cloud, in the same order; of unit length,
-   * to 5 % (others are left out; a warning where no normal has it), and of any sign. */
+   * to 5 % (others are left out), and of any sign. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)
   {
@@ -356,7 +357,7 @@ private:
   extract ();
 
   void
-  warnOfUnits () const;
+  warnOfUnits ();
 
   void
   fillModels (std::vector<ModelCoefficients>& model_coefficients,
@@ -382,6 +383,7 @@ private:
   Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
   std::uint32_t width_ = 0;
+  bool is_warned_ = false;
   std::vector<double> rms_;
 
   // Memory that is used again:
