@@ -367,6 +367,7 @@ TEST_F (SegmentPlanes, TwoResultsInOneFileAreRefused)
   expectRefused ("in/walls.png --output . --json result.json" + camera_, reason);
   expectRefused ("walls.png --output out --json out/walls_depth.png" + camera_, reason);
   expectRefused ("walls.png --json ''" + camera_, "no name of a file");
+  expectRefused ("walls.png --json -" + camera_, "give the name of a file");
 }
 
 TEST_F (SegmentPlanes, InputsAreNotReplaced)
