@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/depth_correction.h>
 #include <pcl/apps/organized_pcd.h>
+#include <pcl/apps/quiet_pcl.h>
 #include <pcl/common/io.h>
 #include <pcl/simulation/subsample.h>
 
@@ -157,6 +158,8 @@ DepthCorrection::segment (Segmentation& segmentation,
                           unsigned min_inliers,
                           SegmentedPlanes& planes)
 {
+  const QuietPcl
+      quiet; // who takes the corrected points segments them, and is told then
   estimation_.setInputCloud (cloud);
   estimation_.compute (*normals_);
   segmentation.setMinInliers (min_inliers);

@@ -79,9 +79,13 @@ obstaclesJson (const FrameSummary& frame)
   const auto toJson = [] (const Eigen::Vector3f& v) {
     return Json{v.x(), v.y(), v.z()};
   };
-  Json pose, floor_found, obstacles = Json::array();
-  if (frame.floor_found)
+  Json pose, floor_found, scan, obstacles = Json::array();
+  if (frame.floor_found) {
     floor_found = *frame.floor_found;
+    scan = {{"angle_min_rad", frame.scan.angle_min},
+            {"angle_increment_rad", frame.scan.angle_increment},
+            {"ranges_m", frame.scan.ranges}}; // JSON has null for what is infinite
+  }
   for (int row = 0; frame.camera_to_base && row < 3; ++row) {
     const Eigen::Vector4f values = frame.camera_to_base->matrix().row (row);
     pose.push_back ({values[0], values[1], values[2], values[3]});
@@ -93,8 +97,10 @@ obstaclesJson (const FrameSummary& frame)
                           {"direction_rad", obstacle.direction},
                           {"nearest_m", toJson (obstacle.nearest)},
                           {"centroid_m", toJson (centroid)}});
-  return {
-      {"floor_found", floor_found}, {"camera_to_base", pose}, {"obstacles", obstacles}};
+  return {{"floor_found", floor_found},
+          {"camera_to_base", pose},
+          {"obstacles", obstacles},
+          {"scan", scan}};
 }
 
 } // namespace rgbd_planes

@@ -64,6 +64,8 @@ OutputFiles::add (const fs::path& name)
 {
   if (!name.has_filename())
     throw AppError ("'" + name.string() + "': is no name of a file to write; give one");
+  if (name == "-") // which asks for standard output elsewhere
+    throw AppError ("-: standard output has the tables; give the name of a file");
   const fs::path path = placeOf (name);
   const bool known = std::any_of (files_.begin(), files_.end(), [&] (const File& file) {
     return file.path == path;

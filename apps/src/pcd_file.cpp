@@ -3,8 +3,8 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/pcd_file.h>
+#include <pcl/apps/quiet_pcl.h>
 #include <pcl/common/io.h>
-#include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
@@ -21,20 +21,6 @@ namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-/** Silences PCL's own messages: what is wrong with a file is said once, by the
- * exception. */
-class QuietPcl {
-public:
-  QuietPcl() { pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); }
-  QuietPcl (const QuietPcl&) = delete;
-  QuietPcl&
-  operator= (const QuietPcl&) = delete;
-  ~QuietPcl() { pcl::console::setVerbosityLevel (level_); }
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_ = pcl::console::getVerbosityLevel();
-};
 
 AppError
 damaged (const std::string& file)
@@ -247,7 +233,7 @@ findField (const pcl::PCLPointCloud2& blob, const std::string& name)
 PcdFile
 readPcdFile (const std::string& file, const std::vector<std::string>& floats)
 {
-  const QuietPcl quiet;
+  const QuietPcl quiet; // what is wrong with a file is said once, by the exception
   const std::string bytes = readBytes (file);
   PcdFile header = readHeader (bytes, file);
   checkHeader (header.cloud, floats, file);

@@ -80,6 +80,8 @@ TEST (OutputFiles, NamesOfNoFileAreRefused)
   const TemporaryFolder folder;
   OutputFiles files;
   EXPECT_THROW (files.reserve (""), AppError);
+  EXPECT_THROW (files.reserve ("-"), AppError);
+  EXPECT_NO_THROW (files.reserve (folder / "-"));
   EXPECT_THROW (files.write (folder / "", ""), AppError);
 }
 

@@ -170,6 +170,10 @@ TEST_F (SegmentObstacles, PictureScanAndListAreTrue)
   const Rows scan =
       readCsv (folder_ / ("out/" + name + "_scan.csv"), "direction_rad,range_m");
   ASSERT_EQ (scan.size(), closest.size());
+  const json as_json = readFrame ("out")["scan"];
+  ASSERT_EQ (as_json["ranges_m"].size(), closest.size());
+  EXPECT_NEAR (as_json["angle_min_rad"], std::stod (scan[0][0]), 1e-5);
+  EXPECT_NEAR (as_json["angle_increment_rad"], M_PI / 360., 1e-6);
   int seen = 0, right = 0;
   for (std::size_t i = 0; i < scan.size(); ++i) {
     EXPECT_NEAR (
@@ -179,6 +183,9 @@ TEST_F (SegmentObstacles, PictureScanAndListAreTrue)
     right += std::isfinite (closest[i]) &&
              std::fabs (range - closest[i]) < 0.01f + 0.008f * range * range;
     EXPECT_EQ (scan[i][1] == "inf", std::isinf (range));
+    const json& same = as_json["ranges_m"][i];
+    EXPECT_TRUE (same.is_null() ? std::isinf (range)
+                                : std::fabs (same.get<float>() - range) < 1e-4f);
   }
   EXPECT_GT (seen, 80);
   EXPECT_GT (right, 0.9 * seen);
@@ -287,6 +294,7 @@ TEST_F (SegmentObstacles, WithoutTheOptionNothingIsWritten)
     EXPECT_EQ (file.find ("scan"), std::string::npos) << file;
   }
   EXPECT_EQ (readFrame ("out")["floor_found"], nullptr);
+  EXPECT_EQ (readFrame ("out").at ("scan"), nullptr);
 }
 
 TEST_F (SegmentObstacles, BadInputLeavesNothing)

@@ -248,6 +248,21 @@ TEST_F (SegmentPlanes, SensorsSeeAsFarAsTheirNoiseSays)
   }
 }
 
+TEST_F (SegmentPlanes, MillimetresAreToldOnce)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  writeTwoWalls ("in/1.png");
+  writeTwoWalls ("in/2.png");
+  for (const std::string more : {"", " --corrected frame", " --objects --obstacles"}) {
+    const Outcome result =
+        run ("in --intrinsics 131,131,79.5,59.5 --depth-scale 1" + more);
+    EXPECT_EQ (result.code, 0) << result.err;
+    EXPECT_NE (result.err.find ("millimetres"), std::string::npos) << result.err;
+    EXPECT_EQ (std::count (result.err.begin(), result.err.end(), '\n'), 1)
+        << result.err;
+  }
+}
+
 TEST_F (SegmentPlanes, FrameWithoutDepthHasNoPlanes)
 {
   writePng (folder_ / "dark.png", 160, std::vector<std::uint16_t> (160 * 120));
@@ -352,6 +367,7 @@ TEST_F (SegmentPlanes, TwoResultsInOneFileAreRefused)
   expectRefused ("in/walls.png --output . --json result.json" + camera_, reason);
   expectRefused ("walls.png --output out --json out/walls_depth.png" + camera_, reason);
   expectRefused ("walls.png --json ''" + camera_, "no name of a file");
+  expectRefused ("walls.png --json -" + camera_, "give the name of a file");
 }
 
 TEST_F (SegmentPlanes, InputsAreNotReplaced)

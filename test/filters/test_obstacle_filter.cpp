@@ -74,6 +74,16 @@ TEST_F (ObstacleFilterTest, NegativeDropsWhatIsNotMeasured)
   EXPECT_EQ (kept(), (pcl::Indices{5}));
 }
 
+TEST_F (ObstacleFilterTest, PointsBeyondTheRangeOfTheSensorAreNeverKept)
+{
+  (*cloud_)[0].z = 20.f; // measured, but not for the detection
+  for (const bool negative : {false, true}) {
+    filter_.setNegative (negative);
+    EXPECT_NE (kept().front(), 0);
+    EXPECT_EQ (filter_.getRemovedIndices()->front(), 0);
+  }
+}
+
 TEST_F (ObstacleFilterTest, WithIndicesOnlyThesePointsAreLookedAtInTheirOrder)
 {
   filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{11, 3, 1, 7}));

@@ -12,9 +12,11 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Labels = pcl::PointCloud<pcl::Label>;
@@ -203,21 +205,25 @@ TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
 {
   Projection projection;
   Cloud output;
-  const auto expectRefused = [&] (const char* what) {
+  const auto expectRefused = [&] (const std::string& reason) {
     output.resize (7);
+    testing::internal::CaptureStderr();
     projection.filter (output);
-    EXPECT_TRUE (output.empty()) << what;
+    const std::string error = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE (output.empty()) << reason;
+    EXPECT_EQ (error.find ("[pcl::ProjectOntoPlanes] " + reason), 0u) << error;
+    EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1) << error;
   };
   projection.setInputCloud (points());
   projection.setPlanes ({model (wall)}, Labels::ConstPtr());
-  expectRefused ("no points of the plane");
+  expectRefused ("There are 1 planes and 0 lists of their points");
   projection.setPlanes ({model (wall)}, pcl::make_shared<Labels> (3, 1));
-  expectRefused ("too few labels");
+  expectRefused ("The input has 4 points and 3 labels");
   projection.setPlanes ({model (wall)}, {indices ({4})});
-  expectRefused ("an index outside");
+  expectRefused ("A point of a plane lies outside of the input cloud of 4 points");
   projection.setPlanes ({model (wall)}, {indices ({0})});
   projection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{-1}));
-  expectRefused ("an index outside");
+  expectRefused ("An index lies outside of the input cloud: give indices from 0");
 }
 
 namespace {

@@ -79,20 +79,79 @@ scanRoom ()
 
 } // namespace
 
-TEST (PlaneInputs, MillimetresAreTold)
+TEST (PlaneInputs, MillimetresAreToldOnceInARow)
 {
-  const auto warningAt = [] (float units_per_metre) {
+  Ours segmentation;
+  const auto warningAt = [&segmentation] (float units_per_metre) {
     const Cloud::Ptr cloud = render (corner()).cloud;
     for (auto& p : *cloud)
       p.getVector3fMap() *= units_per_metre;
-    Ours segmentation;
     Result result;
     testing::internal::CaptureStderr();
     segment (segmentation, cloud, result);
     return testing::internal::GetCapturedStderr();
   };
   EXPECT_EQ (warningAt (1.f), "");
-  EXPECT_NE (warningAt (1000.f).find ("millimetres"), std::string::npos);
+  for (int stream = 0; stream < 2; ++stream) {
+    EXPECT_NE (warningAt (1000.f).find ("millimetres"), std::string::npos);
+    EXPECT_EQ (warningAt (1000.f), "") << "a stream of frames fills no log";
+    EXPECT_EQ (warningAt (1.f), "");
+  }
+}
+
+TEST (PlaneInputs, NormalsThatAllHaveAnotherLengthAreTold)
+{
+  const Scene scene = render (corner(), 320, 240);
+  unsigned min_inliers = 250;
+  const auto warningFor = [&] (const Normals::Ptr& normals) {
+    Ours segmentation;
+    segmentation.setMinInliers (min_inliers);
+    segmentation.setInputCloud (scene.cloud);
+    segmentation.setInputNormals (normals);
+    Result result;
+    testing::internal::CaptureStderr();
+    segment (segmentation, result);
+    return testing::internal::GetCapturedStderr();
+  };
+  for (const float length : {0.01f, 0.9f, 1.f, 1.1f, 100.f}) {
+    const Normals::Ptr normals = estimateNormals (scene.cloud);
+    for (auto& normal : *normals)
+      normal.getNormalVector3fMap() *= length;
+    const std::string warning = warningFor (normals);
+    EXPECT_EQ (std::count (warning.begin(), warning.end(), '\n'), length != 1.f);
+    EXPECT_EQ (warning.find ("no normal has a length of 1") != std::string::npos,
+               length != 1.f)
+        << length << ": " << warning;
+  }
+  // It is not for their length that there are no planes.
+  min_inliers = 1000000;
+  EXPECT_EQ (warningFor (estimateNormals (scene.cloud)), "");
+  for (const float missing : {0.f, synthetic::nan})
+    EXPECT_EQ (warningFor (pcl::make_shared<Normals> (
+                   320, 240, pcl::Normal (missing, missing, missing))),
+               "");
+}
+
+TEST (PlaneInputs, NormalsMayFaceAway)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  const Normals::Ptr normals = estimateNormals (scene.cloud);
+  Ours segmentation;
+  segmentation.setMinInliers (250);
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (normals);
+  Result facing, away;
+  segment (segmentation, facing);
+  expectNormals (facing, cornerNormals(), 0.2f);
+  for (auto& normal : *normals)
+    normal.getNormalVector3fMap() *= -1.f;
+  segment (segmentation, away);
+  expectNormals (away, cornerNormals(), 0.2f);
+  expectSame (away, facing);
+  for (std::size_t i = 0; i < normals->size(); i += 3)
+    (*normals)[i].getNormalVector3fMap() *= -1.f;
+  segment (segmentation, away);
+  expectNormals (away, cornerNormals(), 0.2f);
 }
 
 TEST (PlaneInputs, OddSizes)

@@ -211,6 +211,27 @@ TEST (PlaneRegions, AreTheSameFromEveryOverload)
   }
 }
 
+TEST (PlaneRegions, CurvatureIsThatOfTheirCovariance)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  Ours segmentation;
+  segmentation.setMinInliers (250);
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (estimateNormals (scene.cloud));
+  Ours::Regions regions (3);
+  for (auto& region : regions)
+    region.setCurvature (-7.f); // in the memory that is used again
+  segmentation.segment (regions);
+  ASSERT_EQ (regions.size(), 3u);
+  for (const auto& region : regions) {
+    const Eigen::Matrix3d covariance = region.getCovariance().cast<double>();
+    const Eigen::Vector3d values = covariance.eigenvalues().real();
+    const double expected = values.minCoeff() / covariance.trace();
+    EXPECT_GT (expected, 1e-6) << "there is noise";
+    EXPECT_NEAR (region.getCurvature(), expected, 1e-3 * expected);
+  }
+}
+
 TEST (PlaneRegions, RefiningGivesWhatWasFound)
 {
   const Scene scene = render (corner(), 320, 240, kinectSigma);

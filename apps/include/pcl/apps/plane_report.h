@@ -45,7 +45,7 @@ std::string
 objectsCsv (const std::vector<FrameSummary>& frames);
 
 /** \brief result.json: the input with what was set, the stage times, and the planes,
- * objects and obstacles of each frame. Units are in the names. */
+ * objects, obstacles and virtual scan of each frame. Units are in the names. */
 std::string
 resultJson (const InputOptions& options, const std::vector<FrameSummary>& frames);
 

@@ -10,8 +10,8 @@
 
 namespace pcl {
 
-/** \brief Keeps the points of obstacles and drop-offs, or with setNegative (true) all
- * others: the floor, specks and excluded objects (Holz et al. 2011, section 5.1).
+/** \brief Keeps the points of obstacles and drop-offs, or with setNegative (true) those of
+ * the floor, specks and excluded objects (Holz et al. 2011, section 5.1).
  *
  * What a point is comes from ObstacleDetection::detect, as the labels of a cloud with one
  * rgbd_planes::ObstacleClass for each point.
@@ -25,11 +25,15 @@ namespace pcl {
  * filter.filter (*without_obstacles);
  * \endcode
  *
- * As in all FilterIndices: with indices, only these points are looked at; points without a
- * measurement (NaN, Inf or (0, 0, 0)) are always removed; setKeepOrganized keeps the organization and gives
- * removed points the user filter value; getRemovedIndices has the removed points, unless
- * the constructor was told not to collect them. Classes that are missing or of another
- * size than the input, or an index outside of it: an error message, and nothing is kept.
+ * Points of which nothing is known are always removed, for what is kept by setNegative (true)
+ * may be taken for free: those without a measurement (NaN, Inf or (0, 0, 0)), and those of
+ * class \c unmeasured, which are beyond the range of the sensor or were not asked for.
+ *
+ * As in all FilterIndices: with indices, only these points are looked at; setKeepOrganized
+ * keeps the organization and gives removed points the user filter value; getRemovedIndices
+ * has the removed points, unless the constructor was told not to collect them. Classes that
+ * are missing or of another size than the input, or an index outside of it: an error
+ * message, and nothing is kept.
  *
  * \ingroup filters
  */

@@ -12,6 +12,7 @@
 #include <pcl/PointIndices.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -34,8 +35,9 @@ namespace pcl {
  * The output has all points of the input, its organization and its header; all fields but
  * coordinates stay. With indices, only these points move. Output and input may be the same
  * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)) and those of planes without
- * four finite coefficients and a normal stay. Labels of another size than the input, or an
- * index outside of it: an error message and an empty output.
+ * four finite coefficients and a normal stay. Labels of another size than the input, not one
+ * list of inliers for each plane, or an index outside of the input: an error message and an
+ * empty output.
  *
  * \ingroup filters
  */
@@ -111,6 +113,10 @@ protected:
   applyFilter (PointCloud& output) override;
 
 private:
+  /** \brief What to tell a user whose planes are not those of the input; empty if they are. */
+  std::string
+  faultOfPlanes () const;
+
   /** \brief Fills in the plane of each point; false after an error message. */
   bool
   assignPlanes ();

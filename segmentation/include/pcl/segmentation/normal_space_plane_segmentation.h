@@ -50,7 +50,8 @@ namespace pcl {
  * like the one before allocate none.
  *
  * A null, empty or unorganized cloud, normals that are missing or of another size, or
- * an index outside of the cloud: an error message and empty outputs.
+ * an index outside of the cloud: an error message and empty outputs. All planes farther off
+ * than 100 m, or none while no normal is of unit length: a warning, once for frames in a row.
  *
  * \ingroup segmentation
  */
@@ -253,9 +254,10 @@ public:
            std::vector<PointIndices>& label_indices);
 
   /** \brief Finds all planes.
-   * \param[out] regions the planes with their coefficients, the centroid, covariance and
-   * number of all their points, and the contour of their largest connected part: its
-   * outer boundary in the image, clockwise, without repeating the first point at the end
+   * \param[out] regions the planes with their coefficients, the centroid, covariance,
+   * curvature (smallest eigenvalue of the covariance by its trace) and number of all their
+   * points, and the contour of their largest connected part: its outer boundary in the
+   * image, clockwise, without repeating the first point at the end
    */
   void
   segment (Regions& regions);
@@ -355,7 +357,7 @@ private:
   extract ();
 
   void
-  warnOfMillimetres () const;
+  warnOfUnits ();
 
   void
   fillModels (std::vector<ModelCoefficients>& model_coefficients,
@@ -381,6 +383,7 @@ private:
   Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
   std::uint32_t width_ = 0;
+  bool is_warned_ = false;
   std::vector<double> rms_;
 
   // Memory that is used again:

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -137,6 +139,17 @@ struct PlaneMoments {
   covariance () const
   {
     return second() / weight() - mean() * mean().transpose();
+  }
+
+  /** \brief The smallest eigenvalue of the covariance by the sum of all, 0 to 1 / 3. */
+  double
+  curvature () const
+  {
+    const Eigen::Matrix3d matrix = covariance();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (
+        matrix, Eigen::EigenvaluesOnly);
+    // Rounding may leave a little less than 0.
+    return std::max (solver.eigenvalues()[0], 0.) / matrix.trace();
   }
 
   /** \brief The best m of the plane m * p = 1; not finite where points determine none.

@@ -11,6 +11,7 @@
 #include <pcl/types.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -55,6 +56,23 @@ viewNormals (pcl::PointCloud<PointT>& cloud)
           &first.curvature,
           sizeof (PointT) / sizeof (float),
           std::is_same_v<PointT, pcl::Normal>};
+}
+
+/** \brief Whether there are normals, but none of unit length, to 5 %, among about a hundred
+ * points from all over the cloud. */
+template <typename PointT>
+bool
+noneIsUnit (const pcl::PointCloud<PointT>& normals)
+{
+  const std::size_t stride = normals.size() / 100 + 1;
+  bool any = false;
+  for (std::size_t i = 0; i < normals.size(); i += stride) {
+    const float length = std::sqrt (squaredRange (&normals[i].normal_x));
+    if (std::abs (length - 1.f) < 0.05f)
+      return false;
+    any |= length > 0.f && std::isfinite (length);
+  }
+  return any;
 }
 
 /** \brief What to tell a user whose \a cloud is not an image of points that holds all of

@@ -40,7 +40,9 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
     const auto c = static_cast<rgbd_planes::ObstacleClass> ((*classes_)[i].label);
     const bool is_obstacle = c == rgbd_planes::ObstacleClass::obstacle ||
                              c == rgbd_planes::ObstacleClass::drop_off;
-    if (rgbd_planes::isMeasured (&(*input_)[i].x) && is_obstacle != negative_)
+    const bool is_known = c != rgbd_planes::ObstacleClass::unmeasured &&
+                          rgbd_planes::isMeasured (&(*input_)[i].x);
+    if (is_known && is_obstacle != negative_)
       indices.push_back (index);
     else if (extract_removed_indices_)
       removed_indices_->push_back (index);

@@ -9,6 +9,7 @@
 #include <pcl/filters/project_onto_planes.h>
 
 #include <cmath>
+#include <string>
 
 namespace pcl {
 
@@ -35,20 +36,37 @@ ProjectOntoPlanes<PointT>::setPlanes (
 }
 
 template <typename PointT>
+std::string
+ProjectOntoPlanes<PointT>::faultOfPlanes() const
+{
+  const std::size_t size = input_->size();
+  if (labels_ && labels_->size() != size)
+    return "The input has " + std::to_string (size) + " points and " +
+           std::to_string (labels_->size()) +
+           " labels: pass a label for each point to setPlanes.";
+  if (!labels_ && inliers_.size() != planes_.size())
+    return "There are " + std::to_string (planes_.size()) + " planes and " +
+           std::to_string (inliers_.size()) +
+           " lists of their points: pass a label for each point, or the indices of the "
+           "points of each plane, to setPlanes.";
+  for (const auto& inliers : inliers_)
+    if (!rgbd_planes::indicesInside (inliers.indices, size))
+      return "A point of a plane lies outside of the input cloud of " +
+             std::to_string (size) +
+             " points: pass the planes of this cloud to setPlanes.";
+  return {};
+}
+
+template <typename PointT>
 bool
 ProjectOntoPlanes<PointT>::assignPlanes()
 {
   const std::size_t size = input_->size();
-  bool is_inside = rgbd_planes::indicesInside (*indices_, size);
-  for (const auto& inliers : inliers_)
-    is_inside &= rgbd_planes::indicesInside (inliers.indices, size);
-  if (!is_inside ||
-      (labels_ ? labels_->size() != size : inliers_.size() != planes_.size())) {
-    PCL_ERROR ("[pcl::%s] The planes are not those of the input cloud of %zu points: "
-               "pass the coefficients of its planes, and a label for each point or "
-               "the indices of the points of each plane, to setPlanes.\n",
-               getClassName().c_str(),
-               size);
+  std::string fault = rgbd_planes::faultOfIndices (indices_.get(), size);
+  if (fault.empty())
+    fault = faultOfPlanes();
+  if (!fault.empty()) {
+    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
     return false;
   }
   rgbd_planes::fillPlaneOf (inliers_, size, plane_of_);

@@ -72,7 +72,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
       plane_extraction_.shift (sensor_origin_.head<3>());
     sensor_orientation_ = input_->sensor_orientation_;
     width_ = input_->width;
-    warnOfMillimetres();
+    warnOfUnits();
   }
   else
     plane_extraction_ = rgbd_planes::PlaneExtraction();
@@ -87,21 +87,27 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 
 template <typename PointT, typename PointNT, typename PointLT>
 void
-NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfMillimetres() const
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
 {
   constexpr double farther_than_any_room = 100.;
   const Eigen::Vector3d sensor = sensor_origin_.head<3>().template cast<double>();
   const auto& moments = plane_extraction_.moments();
-  const bool all_far =
-      std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
-        return (m.mean() - sensor).norm() > farther_than_any_room;
-      });
-  if (!moments.empty() && all_far)
-    PCL_WARN (
-        "[pcl::%s] All planes are more than %g m away: give points in metres, are "
-        "these millimetres?\n",
-        getClassName().c_str(),
-        farther_than_any_room);
+  const char* warning = nullptr;
+  if (moments.empty()) {
+    if (rgbd_planes::noneIsUnit (*normals_))
+      warning =
+          "There are no planes, for no normal has a length of 1: scale the normals "
+          "of setInputNormals.";
+  }
+  else if (std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
+             return (m.mean() - sensor).norm() > farther_than_any_room;
+           }))
+    warning = "All planes are more than 100 m away: give points in metres, are these "
+              "millimetres?";
+  // Once, for all frames of a camera are alike.
+  if (warning && !is_warned_)
+    PCL_WARN ("[pcl::%s] %s\n", getClassName().c_str(), warning);
+  is_warned_ = warning != nullptr;
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -174,6 +180,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
                                        static_cast<unsigned> (moments.points),
                                        {},
                                        coefficients);
+    regions[k].setCurvature (static_cast<float> (moments.curvature()));
     fillContour (boundary, planes[k], regions[k].getContour());
   }
 }
