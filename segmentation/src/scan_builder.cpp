@@ -26,6 +26,7 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
   const float span = limits.angle_max - limits.angle_min;
   // Rounded up, the last direction could be the first one again.
   const float in_turn = std::floor (turn / limits.angle_increment + 0.01f);
+  sectors_in_turn_ = static_cast<std::size_t> (std::max (in_turn, 1.f));
   const auto directions = static_cast<std::size_t> (
       std::clamp (in_turn, 1.f, std::round (span / limits.angle_increment) + 1.f));
   if (sectors_.size() != directions + 1 || limits.angle_min != limits_.angle_min ||
@@ -80,6 +81,49 @@ ScanBuilder::add (const PointRow& row,
     });
     columns_.strays[k] = 0;
   }
+  for (const ScanRun& run : runs)
+    closeGaps (run);
+}
+
+void
+ScanBuilder::closeGaps (const ScanRun& run)
+{
+  // Most runs have more points than directions, which their ends tell.
+  constexpr std::size_t max_pairs = 64;
+  const auto stepsBetween = [&] (std::size_t u, std::size_t v) {
+    const std::size_t a = column_sectors_[u], b = column_sectors_[v];
+    return std::max (a, b) - std::min (a, b);
+  };
+  const std::size_t last = run.end - 1;
+  for (std::size_t begin = run.begin; begin < last; begin += max_pairs) {
+    const std::size_t end = std::min (begin + max_pairs, last);
+    if (2 * stepsBetween (begin, end) <= end - begin)
+      continue;
+    for (std::size_t u = begin; u < end; ++u)
+      if (stepsBetween (u, u + 1) > 1)
+        fillBetween (u);
+  }
+}
+
+void
+ScanBuilder::fillBetween (std::size_t column)
+{
+  std::size_t a = column_sectors_[column], b = column_sectors_[column + 1];
+  float at_a = columns_.squares[column], at_b = columns_.squares[column + 1];
+  const std::size_t none = sectors_.size() - 1;
+  if (a == none || b == none || std::isinf (at_a) || std::isinf (at_b))
+    return;
+  if ((a > b) != (2 * (std::max (a, b) - std::min (a, b)) > sectors_in_turn_)) {
+    std::swap (a, b);
+    std::swap (at_a, at_b);
+  }
+  if (a > b) // the short way leads from the last direction of a turn to the first one
+    b += sectors_in_turn_;
+  for (std::size_t k = a + 1; k < b; ++k) {
+    const std::size_t sector = k < sectors_in_turn_ ? k : k - sectors_in_turn_;
+    if (sector < none)
+      squares_[sector] = std::min (squares_[sector], k - a <= b - k ? at_a : at_b);
+  }
 }
 
 /** Keeps what a column found, and gives it another sector. */
@@ -117,8 +161,9 @@ ScanBuilder::finish()
   for (std::size_t u = 0; u < column_sectors_.size(); ++u)
     turnColumn (u, column_sectors_[u]);
   scan_->ranges.resize (sectors_.size() - 1);
+  const float nearest = limits_.range_min * limits_.range_min;
   for (std::size_t i = 0; i < scan_->ranges.size(); ++i)
-    scan_->ranges[i] = std::sqrt (squares_[i]);
+    scan_->ranges[i] = squares_[i] < nearest ? -infinity : std::sqrt (squares_[i]);
 }
 
 } // namespace rgbd_planes

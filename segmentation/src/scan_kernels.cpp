@@ -9,7 +9,6 @@
 #include "mask_bits-inl.h"
 #include "scan_kernels.h"
 
-#include <algorithm>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -73,8 +72,7 @@ scanRunsHere (const PointRow& row,
   const auto& m = camera_to_base.matrix();
   const Motion move{m.row (0), m.row (1), m.row (2), floor};
   // In (0, 0), points have no direction.
-  const V nearest = set (std::max (limits.range_min * limits.range_min,
-                                   std::numeric_limits<float>::min()));
+  const V nearest = set (std::numeric_limits<float>::min());
   const V farthest = set (limits.range_max * limits.range_max);
   const V highest = set (limits.max_height);
   for (const ScanRun& run : runs) {

@@ -35,8 +35,10 @@ struct ScanLimits {
   float angle_min = -1.5707963f; /**< first direction, radians from the x axis */
   float angle_max = 1.5707963f;  /**< last direction, less than a turn further */
   float angle_increment = 0.0087266463f; /**< half a degree */
-  /** Points nearer or farther are left out; metres in the xy plane, 0 or more. */
+  /** Directions whose closest point is nearer are negative infinity; metres in the xy
+   * plane, 0 or more. */
   float range_min = 0.f;
+  /** Points farther are left out; metres in the xy plane. */
   float range_max = 10.f;
   /** Points higher above z = 0 are left out: the robot fits under them; metres. */
   float max_height = 2.f;
@@ -51,8 +53,9 @@ struct VirtualScan {
   float range_min = 0.f;
   float range_max = 0.f;
   /** ranges[i] is the distance in the xy plane of the base frame of the closest point
-   * whose direction is angle_min + i * angle_increment, rounded; infinite where no
-   * obstacle is seen, which includes directions outside of the image. */
+   * whose direction is angle_min + i * angle_increment, rounded. As REP 117 of ROS has it,
+   * infinite where no obstacle is seen, which includes directions outside of the image, and
+   * negative infinity where that point is nearer than range_min. */
   std::vector<float> ranges;
 };
 

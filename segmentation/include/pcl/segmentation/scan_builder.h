@@ -38,7 +38,10 @@ struct ScanRun {
   float* nearest_square;
 };
 
-/** \brief Collects points into a virtual scan (Holz et al. 2011, sections 2 and 5.1). */
+/** \brief Collects points into a virtual scan (Holz et al. 2011, sections 2 and 5.1).
+ *
+ * A point is in its own direction, and in those half way to the points beside it in its run.
+ */
 class PCL_RGBD_PLANES_EXPORTS ScanBuilder {
 public:
   /** \brief Starts anew.
@@ -82,6 +85,14 @@ private:
   void
   turnColumn (std::size_t column, std::size_t sector);
 
+  /** Closes the gaps between points of a run that are more than a direction apart. */
+  void
+  closeGaps (const ScanRun& run);
+
+  /** Gives the directions between a column and the next one what these found. */
+  void
+  fillBetween (std::size_t column);
+
   VirtualScan* scan_ = nullptr;
   ScanLimits limits_;
   /** One for each direction, and one that contains nothing. */
@@ -90,6 +101,7 @@ private:
   std::vector<float> squares_;
   ScanColumns columns_;
   std::vector<std::size_t> column_sectors_;
+  std::size_t sectors_in_turn_ = 0;
 };
 
 } // namespace rgbd_planes
