@@ -81,6 +81,8 @@ FloorPlane::find (const OrganizedPoints& points,
   }
   if (found_)
     compare (planes, noise, floor);
+  const bool is_above_zero = height[3] >= min_camera_height;
+  reference_ = found_ || !is_above_zero ? coefficients_ : height;
 }
 
 void

@@ -13,6 +13,10 @@ namespace rgbd_planes {
 
 namespace {
 
+/** Points that an excluded object is connected with are part of it if they are so many times
+ * fewer. */
+constexpr std::size_t rim_ratio = 4;
+
 bool
 areClose (const float* p, const float* q, const DepthNoise& noise)
 {
@@ -21,18 +25,18 @@ areClose (const float* p, const float* q, const DepthNoise& noise)
   return squaredRange (way) <= limit * limit;
 }
 
-/** Word \a k of the points that are both obstacle, or both drop-off, in two rows. */
+/** Word \a k of the points that are both thing, or both drop-off, in two rows. */
 std::uint64_t
 sameThing (const ClassBits& a, const ClassBits& b, std::size_t k)
 {
-  return (a.obstacle[k] & b.obstacle[k]) | (a.drop_off[k] & b.drop_off[k]);
+  return (a.thing[k] & b.thing[k]) | (a.drop_off[k] & b.drop_off[k]);
 }
 
 /** Word \a k of the points that are both with the point \a by before them. */
 std::uint64_t
 sameThing (const ClassBits& row, std::size_t k, std::size_t by)
 {
-  return (row.obstacle[k] & movedRight (row.obstacle, k, by)) |
+  return (row.thing[k] & movedRight (row.thing, k, by)) |
          (row.drop_off[k] & movedRight (row.drop_off, k, by));
 }
 
@@ -41,17 +45,21 @@ sameThing (const ClassBits& row, std::size_t k, std::size_t by)
 void
 ObstacleClusters::start (const OrganizedPoints& points,
                          const DepthNoise& noise,
-                         std::size_t min_points)
+                         std::size_t min_points,
+                         bool has_excluded)
 {
   noise_ = noise;
+  has_excluded_ = has_excluded;
   min_points_ = min_points;
   width_ = static_cast<std::size_t> (points.width);
   const std::size_t words = wordsFor (width_);
   candidates_.resize (words);
-  for (auto& row : rows_)
+  for (auto& row : rows_) {
     for (auto* bits :
-         {&row.classes.unmeasured, &row.classes.obstacle, &row.classes.drop_off})
+         {&row.classes.unmeasured, &row.classes.drop_off, &row.classes.thing})
       bits->resize (words);
+    row.classes.excluded.resize (has_excluded ? words : 0);
+  }
   number_of_rows_ = 0;
   runs_.clear();
   points_.clear();
@@ -92,14 +100,16 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
 {
   const ClassBits& classes = row.classes;
   const auto any = [&] (std::size_t k) {
-    return classes.obstacle[k] | classes.drop_off[k];
+    return classes.thing[k] | classes.drop_off[k];
   };
   row.runs = row.end_of_runs = runs_.size();
   std::size_t ends = row.runs; // runs whose length is known
   std::uint64_t last_of_word = 0;
   for (std::size_t k = 0; k < to_left.size(); ++k) {
     const std::uint64_t joined = to_left[k] & sameThing (classes, k, 1);
-    const std::uint64_t starts = any (k) & ~joined;
+    const std::uint64_t changes =
+        has_excluded_ ? classes.excluded[k] ^ movedRight (classes.excluded, k, 1) : 0;
+    const std::uint64_t starts = any (k) & ~(joined & ~changes);
     const std::uint64_t bridged =
         starts & sameThing (classes, k, 2) & movedRight (classes.unmeasured, k, 1);
     const std::size_t first = row.first + k * bits_in_word;
@@ -109,14 +119,16 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
       sets_.add (run);
       runs_.emplace_back();
       runs_.back().first = first + bit;
-      if (bridged >> bit & 1 &&
-          areClose (points[first + bit], points[first + bit - 2], noise_))
+      if (joined >> bit & 1 ||
+          (bridged >> bit & 1 &&
+           areClose (points[first + bit], points[first + bit - 2], noise_)))
         sets_.join (run - 1, run);
     });
-    forEachBit ((any (k) << 1 | last_of_word) & ~joined, [&] (std::size_t bit) {
-      runs_[ends].length = first + bit - runs_[ends].first;
-      ++ends;
-    });
+    forEachBit ((any (k) << 1 | last_of_word) & ~(joined & ~changes),
+                [&] (std::size_t bit) {
+                  runs_[ends].length = first + bit - runs_[ends].first;
+                  ++ends;
+                });
     last_of_word = any (k) >> (bits_in_word - 1);
   }
   if (ends < runs_.size())
@@ -152,17 +164,25 @@ ObstacleClusters::joinRows (const Row& above,
 void
 ObstacleClusters::finish (std::vector<ObstacleClass>& classes)
 {
+  const auto isExcluded = [&] (const Run& run) {
+    return has_excluded_ && classes[run.first] == ObstacleClass::excluded;
+  };
   points_.assign (runs_.size(), 0);
+  excluded_points_.assign (has_excluded_ ? runs_.size() : 0, 0);
   for (std::uint32_t i = 0; i < runs_.size(); ++i)
-    points_[sets_.root (i)] += runs_[i].length;
+    (isExcluded (runs_[i]) ? excluded_points_ : points_)[sets_.root (i)] +=
+        runs_[i].length;
   sizes_.clear();
   for (std::uint32_t i = 0; i < runs_.size(); ++i) {
     // The root of a cluster is its first run.
     const std::uint32_t first = sets_.root (i);
-    if (points_[first] < min_points_) {
-      std::fill_n (classes.begin() + static_cast<std::ptrdiff_t> (runs_[i].first),
-                   runs_[i].length,
-                   ObstacleClass::speck);
+    const bool is_rim =
+        has_excluded_ && rim_ratio * points_[first] < excluded_points_[first];
+    if (is_rim || points_[first] < min_points_) {
+      if (!isExcluded (runs_[i]))
+        std::fill_n (classes.begin() + static_cast<std::ptrdiff_t> (runs_[i].first),
+                     runs_[i].length,
+                     is_rim ? ObstacleClass::excluded : ObstacleClass::speck);
       runs_[i].cluster = none;
       continue;
     }
@@ -173,6 +193,10 @@ ObstacleClusters::finish (std::vector<ObstacleClass>& classes)
     else
       runs_[i].cluster = runs_[first].cluster;
   }
+  if (has_excluded_)
+    for (Run& run : runs_)
+      if (isExcluded (run))
+        run.cluster = none;
 }
 
 } // namespace rgbd_planes

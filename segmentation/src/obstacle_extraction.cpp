@@ -66,7 +66,7 @@ ObstacleExtraction::start (const ObstacleFrame& frame,
       excluded_[static_cast<std::size_t> (index)] = 1;
   nearest_.clear();
   point_classes_.start (frame, parameters.points);
-  clusters_.start (points, parameters.points.noise, min_points);
+  clusters_.start (points, parameters.points.noise, min_points, excluded != nullptr);
   scan_builder_.start (parameters.scan, width, scan_);
   rows_.resize (static_cast<std::size_t> (point_classes_.maxWaiting()));
   for (auto& row : rows_)
@@ -88,10 +88,13 @@ ObstacleExtraction::finishRow (const OrganizedPoints& points,
   const std::size_t first_run = nearest_.size();
   nearest_.resize (clusters_.runs().size(), std::numeric_limits<float>::infinity());
   scan_runs_.clear();
+  // What is part of an excluded object is only known in the end.
+  if (!excluded_.empty())
+    return;
   for (std::size_t k = first_run; k < nearest_.size(); ++k)
     if (!clusters_.mayBeSpeck (k))
       addToScan (k, first);
-  scan_builder_.add (row.points, camera_to_base, floor_.coefficients(), scan_runs_);
+  scan_builder_.add (row.points, camera_to_base, floor_.reference(), scan_runs_);
 }
 
 void
@@ -127,7 +130,7 @@ ObstacleExtraction::scanLateRuns (const OrganizedPoints& points,
         const ScanRun& run = scan_runs_.back();
         late_row_.load (points, static_cast<int> (v), run.begin, run.end);
       }
-    scan_builder_.add (late_row_, camera_to_base, floor_.coefficients(), scan_runs_);
+    scan_builder_.add (late_row_, camera_to_base, floor_.reference(), scan_runs_);
   }
 }
 
@@ -177,7 +180,7 @@ ObstacleExtraction::describe (const OrganizedPoints& points,
   for (std::size_t i = run.first; i < run.first + run.length; ++i) {
     Eigen::Vector3f p (points[i]);
     if (is_drop_off) {
-      const Eigen::Vector4f& floor = floor_.coefficients();
+      const Eigen::Vector4f& floor = floor_.reference();
       p *= floor[3] / (floor[3] - heightAbove (floor, points[i]));
     }
     p = camera_to_base * p;

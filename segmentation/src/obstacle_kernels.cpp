@@ -128,7 +128,7 @@ void
 findClassesHere (const ObstacleClass* classes, std::size_t size, ClassBits& found)
 {
   std::uint8_t rest[bits_in_word] = {};
-  for (std::size_t word = 0; word < found.obstacle.size(); ++word) {
+  for (std::size_t word = 0; word < found.thing.size(); ++word) {
     const std::size_t first = word * bits_in_word;
     const auto* from = reinterpret_cast<const std::uint8_t*> (classes) + first;
     if (size - first < bits_in_word) {
@@ -145,8 +145,12 @@ findClassesHere (const ObstacleClass* classes, std::size_t size, ClassBits& foun
       return bits;
     };
     found.unmeasured[word] = bitsWith (ObstacleClass::unmeasured);
-    found.obstacle[word] = bitsWith (ObstacleClass::obstacle);
     found.drop_off[word] = bitsWith (ObstacleClass::drop_off);
+    found.thing[word] = bitsWith (ObstacleClass::obstacle);
+    if (found.excluded.empty())
+      continue;
+    found.excluded[word] = bitsWith (ObstacleClass::excluded);
+    found.thing[word] |= found.excluded[word];
   }
 }
 

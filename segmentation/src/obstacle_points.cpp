@@ -92,7 +92,7 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
   row_.resize (links.to_left.size() * bits_in_word);
   classifyRow (points,
                points_above,
-               frame.floor.coefficients(),
+               frame.floor.reference(),
                parameters_,
                row_.data(),
                links,

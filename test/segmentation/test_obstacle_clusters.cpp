@@ -27,10 +27,10 @@ struct Image {
   std::vector<ObstacleClass> classes;
   std::vector<bool> to_left, to_above;
 
-  Image (std::size_t columns, unsigned seed) : width (columns)
+  Image (std::size_t columns, unsigned seed, double excluded) : width (columns)
   {
     std::mt19937 random (seed);
-    std::discrete_distribution<int> what ({2., 1., 6., 2.});
+    std::discrete_distribution<int> what ({2., 1., 6., 2., 0., excluded});
     std::uniform_real_distribution<float> depth (1.f, 1.1f);
     std::bernoulli_distribution is_linked (0.7);
     for (std::size_t i = 0; i < width * height; ++i) {
@@ -61,10 +61,17 @@ struct Image {
   }
 
   bool
+  isThing (std::size_t i) const
+  {
+    return classes[i] == ObstacleClass::obstacle ||
+           classes[i] == ObstacleClass::excluded;
+  }
+
+  bool
   isSameThing (std::size_t i, std::size_t j) const
   {
-    return classes[i] == classes[j] && (classes[i] == ObstacleClass::obstacle ||
-                                        classes[i] == ObstacleClass::drop_off);
+    return (isThing (i) && isThing (j)) ||
+           (classes[i] == ObstacleClass::drop_off && classes[j] == classes[i]);
   }
 
   /** Whether a point is connected with the next but one before it. */
@@ -112,35 +119,45 @@ TEST (ObstacleClusters, AreTheConnectedPointsOfAnImage)
 {
   constexpr std::size_t min_points = 3;
   ObstacleClusters clusters;
-  for (const std::size_t width : {1u, 2u, 63u, 64u, 65u, 128u, 150u}) {
-    const Image image (width, static_cast<unsigned> (width));
-    clusters.start (image.points(), DepthNoise(), min_points);
-    for (std::size_t v = 0; v < height; ++v)
-      clusters.addRow (image.points(), &image.classes[v * width], image.links (v));
-    std::vector<ObstacleClass> classes = image.classes;
-    clusters.finish (classes);
+  for (const std::size_t width : {1u, 2u, 63u, 64u, 65u, 128u, 150u})
+    for (const double excluded : {0., 2., 20.}) {
+      const Image image (width, static_cast<unsigned> (width), excluded);
+      clusters.start (image.points(), DepthNoise(), min_points, excluded > 0.);
+      for (std::size_t v = 0; v < height; ++v)
+        clusters.addRow (image.points(), &image.classes[v * width], image.links (v));
+      std::vector<ObstacleClass> classes = image.classes;
+      clusters.finish (classes);
 
-    const auto first = firstPoints (image);
-    std::vector<std::size_t> sizes (first.size());
-    for (const std::size_t i : first)
-      ++sizes[i];
-    std::vector<std::uint32_t> cluster (first.size(), ObstacleClusters::none);
-    for (const auto& run : clusters.runs())
-      std::fill_n (cluster.begin() + static_cast<std::ptrdiff_t> (run.first),
-                   run.length,
-                   run.cluster);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      const bool is_thing = image.isSameThing (i, i);
-      if (is_thing && sizes[first[i]] >= min_points) {
-        ASSERT_LT (cluster[i], clusters.sizes().size()) << width << ' ' << i;
-        EXPECT_EQ (cluster[i], cluster[first[i]]) << width << ' ' << i;
-        EXPECT_EQ (clusters.sizes()[cluster[i]], sizes[first[i]]) << width << ' ' << i;
-        EXPECT_EQ (classes[i], image.classes[i]) << width << ' ' << i;
-      }
-      else {
-        EXPECT_EQ (cluster[i], ObstacleClusters::none) << width << ' ' << i;
-        EXPECT_EQ (classes[i], is_thing ? ObstacleClass::speck : image.classes[i]);
+      const auto isExcluded = [&] (std::size_t i) {
+        return image.classes[i] == ObstacleClass::excluded;
+      };
+      const auto first = firstPoints (image);
+      std::vector<std::size_t> sizes (first.size()), excluded_sizes (first.size());
+      for (std::size_t i = 0; i < first.size(); ++i)
+        ++(isExcluded (i) ? excluded_sizes : sizes)[first[i]];
+      std::vector<std::uint32_t> cluster (first.size(), ObstacleClusters::none);
+      for (const auto& run : clusters.runs())
+        std::fill_n (cluster.begin() + static_cast<std::ptrdiff_t> (run.first),
+                     run.length,
+                     run.cluster);
+      std::vector<std::uint32_t> expected (first.size(), ObstacleClusters::none);
+      for (std::size_t i = 0; i < first.size(); ++i) {
+        const bool is_thing = image.isSameThing (i, i) && !isExcluded (i);
+        const std::size_t points = sizes[first[i]];
+        const bool is_rim = 4 * points < excluded_sizes[first[i]];
+        if (is_thing && !is_rim && points >= min_points) {
+          ASSERT_LT (cluster[i], clusters.sizes().size()) << width << ' ' << i;
+          if (expected[first[i]] == ObstacleClusters::none)
+            expected[first[i]] = cluster[i];
+          EXPECT_EQ (cluster[i], expected[first[i]]) << width << ' ' << i;
+          EXPECT_EQ (clusters.sizes()[cluster[i]], points) << width << ' ' << i;
+          EXPECT_EQ (classes[i], image.classes[i]) << width << ' ' << i;
+        }
+        else {
+          const auto other = is_rim ? ObstacleClass::excluded : ObstacleClass::speck;
+          EXPECT_EQ (cluster[i], ObstacleClusters::none) << width << ' ' << i;
+          EXPECT_EQ (classes[i], is_thing ? other : image.classes[i]);
+        }
       }
     }
-  }
 }

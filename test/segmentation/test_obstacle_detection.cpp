@@ -400,6 +400,49 @@ TEST (ObstacleDetection, AnExcludedObjectIsNoObstacle)
   EXPECT_EQ (result.obstacles.size(), 1u);
 }
 
+TEST (ObstacleDetection, TheRimOfAnExcludedObjectIsExcludedWithIt)
+{
+  // Beside a box that touches it and stays, also where it touches the rim of the other.
+  const auto other = box ({1.2f, 0.2f, 0.f}, {1.5f, 0.6f, 0.35f});
+  for (const bool has_other : {false, true}) {
+    const FloorScene scene (
+        only_floor + a_box + (has_other ? other : std::vector<Patch>{}), pose, 320);
+    const auto isOfObject = [&] (std::size_t i) {
+      return (*scene.labels)[i].label - box_front < 6u;
+    };
+    auto object = pcl::make_shared<pcl::Indices>();
+    std::size_t rim = 0;
+    for (std::size_t i = 640; i < scene.labels->size() - 640; ++i)
+      if (isOfObject (i)) {
+        const bool is_inside = isOfObject (i - 1) && isOfObject (i + 1) &&
+                               isOfObject (i - 640) && isOfObject (i + 640);
+        rim += !is_inside;
+        if (is_inside)
+          object->push_back (static_cast<pcl::index_t> (i));
+      }
+    ASSERT_GT (rim, 100u);
+    ASSERT_LT (4 * rim, object->size());
+    Detection detection;
+    setInput (detection, scene);
+    detection.setExcludedIndices (object);
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    ASSERT_EQ (result.obstacles.size(), has_other ? 1u : 0u);
+    if (has_other) {
+      EXPECT_GT (share (scene, result, 7, 12, ObstacleClass::obstacle), 0.9);
+      EXPECT_EQ (result.count (ObstacleClass::excluded), object->size());
+      EXPECT_EQ (result.count (ObstacleClass::obstacle),
+                 result.obstacles[0].indices.size());
+      continue;
+    }
+    EXPECT_EQ (result.count (ObstacleClass::obstacle), 0u);
+    EXPECT_EQ (result.count (ObstacleClass::speck), 0u);
+    EXPECT_GT (result.count (ObstacleClass::excluded), object->size() + rim / 2);
+    for (const float range : detection.getScan().ranges)
+      EXPECT_TRUE (std::isinf (range));
+  }
+}
+
 TEST (ObstacleDetection, WithoutAFloorAllIsAnObstacle)
 {
   // A wall; then a floor that the pose of the camera does not put at z = 0.
@@ -425,6 +468,36 @@ TEST (ObstacleDetection, WithoutAFloorAllIsAnObstacle)
   detection.setFloorTolerances (0.17f, 0.2f);
   detection.detect (result.obstacles, result.classes);
   EXPECT_TRUE (detection.isFloorFound());
+}
+
+TEST (ObstacleDetection, ADropOffWhoseEdgeIsOutOfViewIsWhereRaysMeetZero)
+{
+  // The lowest rays of the image meet z = 0 at 1.21 m, and what is below it at 1.81 m.
+  const auto on_it = box ({1.9f, 0.3f, -0.5f}, {2.2f, 0.7f, 0.2f});
+  const FloorScene scene (
+      std::vector<Patch>{floorAt (-0.5f)} + on_it, cameraPose (1.f, 0.262f), 320);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  EXPECT_EQ (detection.getFloor(), Eigen::Vector4f::Zero());
+  EXPECT_EQ (result.count (ObstacleClass::floor), 0u);
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::drop_off), 1.);
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    if (scene.inBase (i).z() > 0.f) {
+      EXPECT_EQ (result[i], ObstacleClass::obstacle) << i;
+    }
+  ASSERT_GE (result.obstacles.size(), 2u);
+  EXPECT_EQ (result.obstacles[0].kind, Obstacle::Kind::drop_off);
+  EXPECT_NEAR (result.obstacles[0].distance, 1.21f, 0.01f);
+  EXPECT_NEAR (result.obstacles[0].nearest.z(), 0.f, 1e-3f);
+  EXPECT_NEAR (detection.getScan().ranges[180], 1.21f, 0.01f) << "straight ahead";
+
+  // z = 0 of the default pose is the height of the camera, and tells nothing.
+  detection.setCameraToBase (Detection().getCameraToBase());
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_EQ (result.count (ObstacleClass::drop_off), 0u);
 }
 
 TEST (ObstacleDetection, TheCameraMayBeTiltedAndItsPoseSlightlyOff)
@@ -584,9 +657,13 @@ TEST (ObstacleDetection, TheScanHasTheClosestPointOfEachDirection)
         if (angle < -0.01)
           angle += 2. * M_PI;
         const auto step = static_cast<std::size_t> (std::lround (angle / 0.02));
-        if (range >= 1.25f && range <= 2.2f && p.z() <= 1.f && step < expected.size())
+        if (range <= 2.2f && p.z() <= 1.f && step < expected.size())
           expected[step] = std::min (expected[step], range);
       }
+    for (float& range : expected)
+      if (range < 1.25f)
+        range = -std::numeric_limits<float>::infinity();
+    EXPECT_TRUE (std::isinf (*std::min_element (expected.begin(), expected.end())));
     const auto& scan = detection.getScan();
     EXPECT_FLOAT_EQ (scan.angle_min, -2.f);
     EXPECT_FLOAT_EQ (scan.angle_max, 3.5f);
@@ -594,12 +671,48 @@ TEST (ObstacleDetection, TheScanHasTheClosestPointOfEachDirection)
     EXPECT_GT (std::count_if (expected.begin(),
                               expected.end(),
                               [] (float range) { return std::isfinite (range); }),
-               10);
+               5);
     std::size_t different = 0;
     for (std::size_t k = 0; k < expected.size(); ++k)
       different += !(expected[k] == scan.ranges[k] ||
                      std::abs (expected[k] - scan.ranges[k]) < 1e-4f);
     EXPECT_LE (different, 2u) << "points that rounding puts on the other side";
+  }
+}
+
+TEST (ObstacleDetection, TheScanOfAnObstacleHasNoGapsWherePixelsAreWiderThanItsSteps)
+{
+  // Two sills with a gap between them, 5 degrees wide.
+  const auto sills = box ({1.f, -3.f, 0.f}, {1.05f, 0.f, 0.06f}) +
+                     box ({1.f, 0.09f, 0.f}, {1.05f, 3.f, 0.06f});
+  const FloorScene scene (only_floor + sills, cameraPose (1.f, 0.8f), 160);
+  constexpr auto turn = static_cast<float> (2. * M_PI);
+  Detection detection;
+  setInput (detection, scene);
+  // Ahead; behind, where the first direction follows on the last one.
+  for (const float yaw : {0.f, turn / 2.f}) {
+    detection.setCameraToBase (Eigen::AngleAxisf (yaw, Eigen::Vector3f::UnitZ()) *
+                               scene.camera_to_base);
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_increment = turn / 3600.f;
+    limits.angle_min = -turn / 2.f;
+    limits.angle_max = turn / 2.f - limits.angle_increment;
+    detection.setScanLimits (limits);
+    std::vector<Obstacle> obstacles;
+    detection.detect (obstacles);
+    const auto& ranges = detection.getScan().ranges;
+    ASSERT_EQ (ranges.size(), 3600u);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const float angle =
+          limits.angle_min + static_cast<float> (i) * limits.angle_increment - yaw;
+      const float x = std::cos (angle), y = std::sin (angle) / x;
+      if (x > 0.f && ((y > -0.5f && y < -0.01f) || (y > 0.1f && y < 0.5f))) {
+        EXPECT_NEAR (ranges[i] * x, 1.f, 0.02f) << angle << ", " << yaw;
+      }
+      if (x > 0.f && y > 0.01f && y < 0.08f) {
+        EXPECT_TRUE (std::isinf (ranges[i])) << angle << ", " << yaw;
+      }
+    }
   }
 }
 

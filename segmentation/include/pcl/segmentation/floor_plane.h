@@ -91,6 +91,14 @@ public:
     return coefficients_;
   }
 
+  /** \brief What drop-offs are below, in the camera frame: the floor, or z = 0 of the base
+   * frame where none was found; zeros where the camera is not above that either. */
+  const Eigen::Vector4f&
+  reference () const
+  {
+    return reference_;
+  }
+
   /** \brief Whether points of a plane are no floor even where they are as low: it is
    * tilted against the floor by more than 5 degrees, and more than a third of its points
    * are above or below the floor by more than three standard deviations. False for \a
@@ -162,6 +170,7 @@ private:
 
   bool found_ = false;
   Eigen::Vector4f coefficients_ = Eigen::Vector4f::Zero();
+  Eigen::Vector4f reference_ = Eigen::Vector4f::Zero();
   std::vector<Samples> samples_;     // one for each plane
   std::vector<SampledPoint> points_; // of the frame at hand
 };

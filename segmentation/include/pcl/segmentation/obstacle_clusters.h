@@ -27,14 +27,18 @@ struct RowLinks {
 
 /** \brief The points of a row that are of a class. */
 struct ClassBits {
-  RowBits unmeasured, obstacle, drop_off;
+  RowBits unmeasured, drop_off;
+  RowBits thing;    // obstacle or excluded
+  RowBits excluded; // of these; empty where no point is
 };
 
 /** \brief Connected obstacle points of an image.
  *
- * Neighbours in a row or column that are both obstacle, or both drop-off, are connected
- * where they are linked. So are next neighbours but one where the pixel between them is unmeasured.
- * Clusters are kept as runs, the parts of a row that belong to one.
+ * Neighbours in a row or column that are both obstacle or excluded, or both drop-off, are
+ * connected where they are linked. So are next neighbours but one where the pixel between
+ * them is unmeasured. Excluded points are in no cluster; where they are connected with others
+ * that are fewer than a quarter as many, these are taken for their rim and foot, and excluded
+ * with them. Clusters are kept as runs, the parts of a row that belong to one.
  */
 class PCL_RGBD_PLANES_EXPORTS ObstacleClusters {
 public:
@@ -49,11 +53,13 @@ public:
 
   /** \brief Starts with an image.
    * \param[in] min_points the points of smaller clusters become specks
+   * \param[in] has_excluded whether any points are excluded
    */
   void
   start (const OrganizedPoints& points,
          const DepthNoise& noise,
-         std::size_t min_points);
+         std::size_t min_points,
+         bool has_excluded);
 
   /** \brief Adds the next row.
    * \param[in] classes of its points
@@ -114,6 +120,7 @@ private:
 
   DepthNoise noise_;
   std::size_t min_points_ = 0;
+  bool has_excluded_ = false;
   std::size_t width_ = 0;
   Row rows_[3]; // in turn
   std::size_t number_of_rows_ = 0;
@@ -122,6 +129,7 @@ private:
   DisjointSets sets_; // of runs, until clusters are numbered
   /** Of the sets of runs, whose roots have so many at least until all are known. */
   std::vector<std::size_t> points_;
+  std::vector<std::size_t> excluded_points_; // not among these
   std::vector<std::size_t> sizes_;
 };
 

@@ -43,8 +43,8 @@ namespace pcl {
  * slightly off. Obstacles at least as high as the larger of 1 cm and three standard deviations
  * of depth are found. Points clearly below the floor are drop-offs. A plane beside the floor
  * that is clearly higher or lower where it is near is so everywhere. Clusters of a few points
- * are specks, errors of the sensor. Where no floor is found, nothing is safe: all measured
- * points are obstacles.
+ * are specks, errors of the sensor. Where no floor is found, nothing is safe: points clearly
+ * below z = 0 are drop-offs if the camera is above it, all other measured points obstacles.
  *
  * A null or unorganized cloud, normals or labels that are missing or of another size, or
  * an index outside of the cloud: an error message and empty outputs.
@@ -213,7 +213,9 @@ public:
   }
 
   /** \brief Points of the object that is to be grasped, which is no obstacle: indices of
-   * the input cloud; null for none, the default. */
+   * the input cloud; null for none, the default. Obstacle points connected with them are
+   * excluded too where they are fewer than a quarter as many, for they are likely its rim
+   * and foot: something that touches it and is as small in the image is not found. */
   void
   setExcludedIndices (const IndicesConstPtr& indices)
   {

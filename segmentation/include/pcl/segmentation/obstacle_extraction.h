@@ -99,7 +99,7 @@ private:
   void
   addToScan (std::size_t run, std::size_t first);
 
-  /** Those that were left out because they may be specks. */
+  /** Those that were left out because they may be specks, or excluded. */
   void
   scanLateRuns (const OrganizedPoints& points, const Eigen::Affine3f& camera_to_base);
 
