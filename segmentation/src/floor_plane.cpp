@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -16,11 +17,20 @@ namespace {
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
 constexpr float off_sigmas = 3.f;
+/** The smooth error of depth tilts small parts of a floor, as at the border of the image, by
+ * less, and moves them by less. */
+constexpr float min_cos_bent = 0.9f; // 26 degrees
+constexpr float max_bend_m = 0.03f;
 /** The smooth error of depth bends parts of a floor by less, in the weighted mean. Those
  * with a quarter of the points of the floor are too large for the top of a low thing. */
 constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
 /** Points of a level that are further from the floor are told from it one by one. */
 constexpr float level_sigmas = 8.f;
+/** Where planes meet in the image, the smooth error of depth is the same on both, and their
+ * heights differ by less unless there is a step; standard deviations of depth. */
+constexpr float step_sigmas = 1.5f;
+/** They meet where samples are no more steps of the grid apart. */
+constexpr int max_gap = 3;
 /** A camera that is nearer cannot see a floor. */
 constexpr float min_camera_height = 0.01f;
 
@@ -47,10 +57,11 @@ FloorPlane::find (const OrganizedPoints& points,
   const Eigen::Vector4f height = camera_to_base.matrix().row (2);
   samples_.assign (planes.coefficients.size(), {});
   sample (points, planes, noise);
-  for (const auto& [point, plane, weight] : points_) {
-    samples_[plane].height += weight * heightAbove (height, point);
-    samples_[plane].weight += weight;
-    ++samples_[plane].points;
+  for (const auto& point : points_) {
+    Samples& samples = samples_[point.plane];
+    samples.height += point.weight * heightAbove (height, point.point);
+    samples.weight += point.weight;
+    ++samples.points;
   }
 
   const Eigen::Vector3f base = camera_to_base.inverse().translation();
@@ -97,13 +108,18 @@ FloorPlane::sample (const OrganizedPoints& points,
   const float farthest =
       std::min (noise.max_range * noise.max_range, std::numeric_limits<float>::max());
   points_.resize ((width / step_u + 1) * (height / step_v + 1));
+  last_in_column_.resize (width / step_u + 1);
   std::size_t count = 0;
   for (std::size_t v = step_v / 2; v < height; v += step_v)
     for (std::size_t u = step_u / 2; u < width; u += step_u) {
       const std::size_t i = v * width + u;
       const float squared_range = squaredRange (points[i]);
       // Without a branch, for which points are on planes cannot be foreseen.
-      points_[count] = {points[i], planes[i], 1.f / (squared_range * squared_range)};
+      points_[count] = {points[i],
+                        planes[i],
+                        static_cast<int> (u / step_u),
+                        static_cast<int> (v / step_v),
+                        1.f / (squared_range * squared_range)};
       count += static_cast<std::size_t> (planes[i] < planes.coefficients.size()) &
                static_cast<std::size_t> (squared_range > 0.f) &
                static_cast<std::size_t> (squared_range <= farthest);
@@ -117,32 +133,77 @@ FloorPlane::compare (const LabelledPlanes& planes,
                      std::size_t floor)
 {
   for (std::size_t k = 0; k < samples_.size(); ++k)
-    samples_[k].is_tilted =
-        planes.coefficients[k].head<3>().dot (coefficients_.head<3>()) < max_cos_tilted;
-  for (const auto& [point, plane, weight] : points_) {
-    if (plane == floor)
+    samples_[k].cosine = planes.coefficients[k].head<3>().dot (coefficients_.head<3>());
+  for (const auto& point : points_) {
+    if (point.plane == floor)
       continue;
-    Samples& samples = samples_[plane];
-    const float height = heightAbove (coefficients_, point);
-    const float sigmas = samples.is_tilted ? off_sigmas : level_sigmas;
-    samples.off += height * height >
-                   sigmas * sigmas * heightVariance (point, coefficients_[3], noise);
-    if (samples.is_tilted)
+    Samples& samples = samples_[point.plane];
+    const float height = heightAbove (coefficients_, point.point);
+    const float sigma = noise.sigma (squaredRange (point.point));
+    const float height_sigma =
+        std::sqrt (heightVariance (point.point, coefficients_[3], noise));
+    const bool is_tilted = samples.cosine < max_cos_tilted;
+    float limit = (is_tilted ? off_sigmas : level_sigmas) * height_sigma;
+    if (is_tilted && samples.cosine > min_cos_bent)
+      limit = std::min (std::max (limit, max_bend_m), off_sigmas * sigma);
+    samples.off += std::abs (height) > limit;
+    if (is_tilted)
       continue;
-    const float level = heightOnRay (planes.coefficients[plane], coefficients_, point);
-    samples.level += weight * level;
-    samples.sigmas += weight * level / noise.sigma (squaredRange (point));
+    const float level =
+        heightOnRay (planes.coefficients[point.plane], coefficients_, point.point);
+    samples.level += point.weight * level;
+    samples.sigmas += point.weight * level / sigma;
   }
+  addSteps (noise, floor);
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     Samples& samples = samples_[k];
-    const bool is_parallel = k != floor && !samples.is_tilted;
+    if (k == floor || samples.points == 0)
+      continue;
+    const bool is_tilted = samples.cosine < max_cos_tilted;
     const bool is_large = 4 * samples.points >= samples_[floor].points;
     const float sigmas = std::abs (samples.sigmas) / samples.weight;
-    samples.is_part =
-        is_parallel && sigmas < (is_large ? large_part_sigmas : part_sigmas);
-    const bool is_level =
-        is_parallel && sigmas >= large_part_sigmas && samples.off < samples.points;
+    // A border is as long as the plane is wide.
+    const bool is_step =
+        samples.borders * samples.borders >= samples.points &&
+        std::abs (samples.step) > step_sigmas * static_cast<float> (samples.borders);
+    samples.is_other = is_tilted && 5 * samples.off > samples.points;
+    const bool is_near = is_tilted
+                             ? samples.cosine > min_cos_bent && !samples.is_other
+                             : sigmas < (is_large ? large_part_sigmas : part_sigmas);
+    samples.is_part = is_near && !is_step;
+    const bool is_level = !is_tilted && (is_step || sigmas >= large_part_sigmas) &&
+                          samples.off < samples.points;
     samples.level = is_level ? samples.level / samples.weight : 0.f;
+  }
+}
+
+void
+FloorPlane::addSteps (const DepthNoise& noise, std::size_t floor)
+{
+  const auto mayBePart = [&] (const Samples& samples) {
+    return samples.cosine > min_cos_bent && samples.off < samples.points;
+  };
+  if (std::count_if (samples_.begin(), samples_.end(), mayBePart) < 2)
+    return;
+  const SampledPoint* last_in_row = nullptr;
+  last_in_column_.assign (last_in_column_.size(), nullptr);
+  for (const auto& point : points_) {
+    if (!mayBePart (samples_[point.plane]))
+      continue;
+    for (const SampledPoint** last : {&last_in_row, &last_in_column_[point.u]}) {
+      const SampledPoint* before = std::exchange (*last, &point);
+      if (!before || (before->plane == floor) == (point.plane == floor) ||
+          std::abs (point.u - before->u) + point.v - before->v > max_gap)
+        continue;
+      const bool is_floor = point.plane == floor;
+      const SampledPoint& on_floor = is_floor ? point : *before;
+      const SampledPoint& other = is_floor ? *before : point;
+      Samples& samples = samples_[other.plane];
+      samples.step += (heightAbove (coefficients_, other.point) -
+                       heightAbove (coefficients_, on_floor.point)) /
+                      noise.sigma (squaredRange (other.point));
+      ++samples.borders;
+    }
   }
 }
 

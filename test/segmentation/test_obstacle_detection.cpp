@@ -232,6 +232,30 @@ TEST (ObstacleDetection, OnlyLargePiecesOfTheFloorMayBeBentMuch)
   }
 }
 
+TEST (ObstacleDetection, APieceOfTheFloorThatTheErrorOfDepthTiltedIsFloorWhereItIsLow)
+{
+  constexpr float edge = 0.8f;
+  Patch floor = floorAt (0.f);
+  floor.covers = [] (const Eigen::Vector3f& p) { return p.y() < edge; };
+  // 9 degrees; the lower one ends 2.4 standard deviations of depth above the floor.
+  for (const float width : {0.16f, 0.5f}) {
+    const Patch piece{Eigen::Vector3f (0.f, -0.16f, 1.f).normalized(),
+                      {0.f, edge, 0.f},
+                      [width] (const Eigen::Vector3f& p) {
+                        return p.y() >= edge && p.y() < edge + width && p.x() < 2.5f;
+                      }};
+    const FloorScene scene (
+        {floor, piece}, cameraPose (1.05f, 0.35f), 320, kinectSigma);
+    const Result result = detect (scene);
+    EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.99) << width;
+    const double share_of_floor = share (scene, result, 1, 1, ObstacleClass::floor);
+    if (width < 0.2f)
+      EXPECT_GT (share_of_floor, 0.95);
+    else
+      EXPECT_LT (share_of_floor, 0.15);
+  }
+}
+
 TEST (ObstacleDetection, LowObstaclesOnThePlaneOfAPieceOfTheFloorAreFound)
 {
   const Eigen::Affine3f high = cameraPose (1.2f, 0.6f);
@@ -610,6 +634,23 @@ TEST (ObstacleDetection, AnotherLevelThatIsClearNearTheRobotIsNoFloorFurtherAway
       EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.998) << step;
       ASSERT_EQ (result.obstacles.size(), 1u) << step << ", " << width;
       EXPECT_NEAR (result.obstacles[0].distance, edge, 0.03f);
+    }
+  }
+}
+
+TEST (ObstacleDetection, AStepOfThreeStandardDeviationsOfDepthAcrossTheViewIsNoFloor)
+{
+  constexpr float edge = 2.f;
+  for (const float step : {-0.044f, -0.036f, 0.036f, 0.044f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const auto other = step < 0.f ? ObstacleClass::drop_off : ObstacleClass::obstacle;
+    for (const std::uint32_t width : {160u, 320u, 640u}) {
+      const FloorScene scene ({near, far}, cameraPose (1.f, 0.44f), width, kinectSigma);
+      const Result result = detect (scene);
+      EXPECT_GT (share (scene, result, 1, 1, other), 0.99) << step << ", " << width;
+      EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.998) << step;
     }
   }
 }

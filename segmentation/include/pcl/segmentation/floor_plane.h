@@ -100,21 +100,23 @@ public:
   }
 
   /** \brief Whether points of a plane are no floor even where they are as low: it is
-   * tilted against the floor by more than 5 degrees, and more than a third of its points
-   * are above or below the floor by more than three standard deviations. False for \a
-   * plane beyond those of the frame, no plane at all. */
+   * tilted against the floor by more than 5 degrees, and more than a fifth of its points
+   * are above or below the floor by more than three standard deviations; up to 26 degrees,
+   * which the error of depth bends pieces of the floor by, also by more than 3 cm or three
+   * standard deviations of depth, whichever is less. False for \a plane beyond those of the
+   * frame, no plane at all. */
   bool
   differs (std::uint32_t plane) const
   {
-    return plane < samples_.size() && samples_[plane].is_tilted &&
-           3 * samples_[plane].off > samples_[plane].points;
+    return plane < samples_.size() && samples_[plane].is_other;
   }
 
   /** \brief Whether a plane is likely more of the floor, which the error of depth bent:
-   * it is not the floor that was found, is tilted against it by less than 5 degrees, and
-   * less than 1.75 standard deviations of depth above or below, in the weighted mean of
-   * where its points are, or less than 2.7 if these are at least a quarter as many as those
-   * of the floor. */
+   * it is not the floor that was found, there is no step where they meet in the image, and
+   * either it is tilted against it by less than 5 degrees, and less than 1.75 standard
+   * deviations of depth above or below, in the weighted mean of where its points are, or
+   * less than 2.7 if these are at least a quarter as many as those of the floor; or it is
+   * tilted by less than 26 degrees and does not differ. */
   bool
   isPart (std::uint32_t plane) const
   {
@@ -122,9 +124,9 @@ public:
   }
 
   /** \brief How far above the floor a plane is that is another level near it: tilted
-   * against it by less than 5 degrees, at least 2.7 standard deviations of depth above or
-   * below, in the weighted mean, and not by so much that each of its points tells. 0 for all
-   * other planes. */
+   * against it by less than 5 degrees, with a step where they meet or at least 2.7 standard
+   * deviations of depth above or below, in the weighted mean, and not by so much that each
+   * of its points tells. 0 for all other planes. */
   float
   level (std::uint32_t plane) const
   {
@@ -147,15 +149,21 @@ private:
     // Sums of weights, and of weighted heights in the base frame.
     float weight = 0.f, height = 0.f;
     // Weighted sums of how far the plane is above the floor, in metres, then the level, and
-    // in standard deviations of depth; where it is not tilted.
+    // in standard deviations of depth.
     float level = 0.f, sigmas = 0.f;
-    bool is_tilted = false;
+    // Where the plane meets the floor in the image: how often that is sampled, and the sum
+    // of how much higher it is there, in standard deviations of depth.
+    std::size_t borders = 0;
+    float step = 0.f;
+    float cosine = 1.f; // of the angle with the floor
+    bool is_other = false;
     bool is_part = false;
   };
 
   struct SampledPoint {
     const float* point;
     std::uint32_t plane;
+    int u, v;     // in the grid of samples
     float weight; // 1 / range^4: what is near the robot decides
   };
 
@@ -168,11 +176,16 @@ private:
   void
   compare (const LabelledPlanes& planes, const DepthNoise& noise, std::size_t floor);
 
+  /** Compares heights on both sides of the borders between the floor and other planes. */
+  void
+  addSteps (const DepthNoise& noise, std::size_t floor);
+
   bool found_ = false;
   Eigen::Vector4f coefficients_ = Eigen::Vector4f::Zero();
   Eigen::Vector4f reference_ = Eigen::Vector4f::Zero();
   std::vector<Samples> samples_;     // one for each plane
   std::vector<SampledPoint> points_; // of the frame at hand
+  std::vector<const SampledPoint*> last_in_column_;
 };
 
 } // namespace rgbd_planes
