@@ -84,9 +84,9 @@ loadPixels (const float* points,
             const PixelRow& pixels);
 
 /** \brief Sums the tangents of each cell, and chooses the point of each cell of several
- * pixels. \a pixels: the rows of the cells and the next one, or the next three if \a step
- * is 2. The sums of a cell are relative to its range, or to the longer of them if that is
- * more, and counted in units of 1 / \a units, which must not be more than max_units. */
+ * pixels. \a pixels: the rows of the cells and the next three. The sums of a cell are
+ * relative to its range, or to the longer of them if that is more, and counted in units of
+ * 1 / \a units, which must not be more than max_units. */
 void
 sumTangents (const PixelRow* pixels,
              std::size_t cells,
