@@ -231,7 +231,7 @@ TEST_F (SegmentPlanes, SequenceGivesOneResultForEachFrame)
 
 TEST_F (SegmentPlanes, SensorsSeeAsFarAsTheirNoiseSays)
 {
-  writeTwoWalls ("walls.png"); // at 4 and 6 m
+  writeTwoWalls ("walls.png"); // at 4 and 6 m, from 25 cm above z = 0 on
   const std::map<std::string, std::size_t> walls_in_range{{"kinect_v1", 2},
                                                           {"structured_light", 0},
                                                           {"time_of_flight", 1},
@@ -239,7 +239,7 @@ TEST_F (SegmentPlanes, SensorsSeeAsFarAsTheirNoiseSays)
   for (const auto& [sensor, walls] : walls_in_range) {
     const Outcome result =
         run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale 250 --obstacles "
-             "--base-transform 0,0,1,0,0,0 --json found.json --depth-noise " +
+             "--base-transform 0,0,3,0,0,0 --json found.json --depth-noise " +
              sensor);
     ASSERT_EQ (result.code, 0) << result.err;
     const json frame = json::parse (readFile (folder_ / "found.json"))["frames"][0];
