@@ -158,8 +158,8 @@ DepthCorrection::segment (Segmentation& segmentation,
                           unsigned min_inliers,
                           SegmentedPlanes& planes)
 {
-  const QuietPcl
-      quiet; // who takes the corrected points segments them, and is told then
+  // Who takes the corrected points segments them, and is told then.
+  const QuietPcl quiet;
   estimation_.setInputCloud (cloud);
   estimation_.compute (*normals_);
   segmentation.setMinInliers (min_inliers);

@@ -146,7 +146,7 @@ TangentRowPipeline::sumUpTo (int last)
   for (const int end = std::min (last + 1, grid_.height); next_sum_ < end;
        ++next_sum_) {
     const int v = next_sum_ * grid_.step;
-    const int last_pixels = v + (grid_.step == 1 ? 3 : 4);
+    const int last_pixels = v + grid_.step + 2;
     for (; next_pixels_ <= std::min (last_pixels, points_.height - 1); ++next_pixels_)
       loadPixels (
           pointsOf (next_pixels_), cells, grid_.step, sensor_, pixels_[next_pixels_]);

@@ -109,7 +109,8 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
     const std::uint64_t joined = to_left[k] & sameThing (classes, k, 1);
     const std::uint64_t changes =
         has_excluded_ ? classes.excluded[k] ^ movedRight (classes.excluded, k, 1) : 0;
-    const std::uint64_t starts = any (k) & ~(joined & ~changes);
+    const std::uint64_t continued = joined & ~changes;
+    const std::uint64_t starts = any (k) & ~continued;
     const std::uint64_t bridged =
         starts & sameThing (classes, k, 2) & movedRight (classes.unmeasured, k, 1);
     const std::size_t first = row.first + k * bits_in_word;
@@ -124,11 +125,10 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
            areClose (points[first + bit], points[first + bit - 2], noise_)))
         sets_.join (run - 1, run);
     });
-    forEachBit ((any (k) << 1 | last_of_word) & ~(joined & ~changes),
-                [&] (std::size_t bit) {
-                  runs_[ends].length = first + bit - runs_[ends].first;
-                  ++ends;
-                });
+    forEachBit ((any (k) << 1 | last_of_word) & ~continued, [&] (std::size_t bit) {
+      runs_[ends].length = first + bit - runs_[ends].first;
+      ++ends;
+    });
     last_of_word = any (k) >> (bits_in_word - 1);
   }
   if (ends < runs_.size())

@@ -42,6 +42,7 @@ StepFinder::find (const std::vector<SampleError>& samples,
 {
   if (samples.size() < min_places)
     return false;
+  findExtent (samples);
   lines_.clear();
   for (const bool is_steep : {false, true}) {
     layOut (samples, is_steep);
@@ -70,7 +71,7 @@ StepFinder::place (int along, int across) const
 }
 
 void
-StepFinder::layOut (const std::vector<SampleError>& samples, bool is_steep)
+StepFinder::findExtent (const std::vector<SampleError>& samples)
 {
   for (const int k : {0, 1}) {
     first_[k] = std::numeric_limits<int>::max();
@@ -83,6 +84,11 @@ StepFinder::layOut (const std::vector<SampleError>& samples, bool is_steep)
       last_[k] = std::max (last_[k], at[k]);
     }
   }
+}
+
+void
+StepFinder::layOut (const std::vector<SampleError>& samples, bool is_steep)
+{
   const int across = is_steep ? 0 : 1, along = 1 - across;
   width_ = last_[across] - first_[across] + 1;
   height_ = last_[along] - first_[along] + 1;

@@ -75,8 +75,8 @@ struct CellVerdicts {
  * above a floor seen flat by little of that. The smooth error of depth can bend away a piece
  * of a floor that furniture parts from the rest: on planes that are likely that, heights
  * count in standard deviations of depth instead. A plane that is too far off for that where
- * it is near, or where it meets the floor in the image, is another level: its points are obstacles or drop-offs, also those that noise
- * moves near to the floor.
+ * it is near, or where it meets the floor in the image, is another level: its points are
+ * obstacles or drop-offs, also those that noise moves near to the floor.
  *
  * The points around a point are those of 3 x 3 cells of an image of 160 cells in a row,
  * each of 4 x 4 pixels in VGA.

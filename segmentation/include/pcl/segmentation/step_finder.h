@@ -75,6 +75,9 @@ private:
   };
 
   void
+  findExtent (const std::vector<SampleError>& samples);
+
+  void
   layOut (const std::vector<SampleError>& samples, bool is_steep);
 
   void
