@@ -11,6 +11,7 @@ packages=(
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev libomp-14-dev zlib1g-dev # test/fuzz, test/sanitize.sh
   gcovr llvm-14 valgrind
+  g++-aarch64-linux-gnu # test/arm64_kernels.sh
   clang-format-14 python3 doxygen gnuplot-nox
 )
 
@@ -42,7 +43,7 @@ export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
 available=()
 for package in "${missing[@]}"; do
-  if [[ $package == *-14* ]] && ! apt-cache show "$package" >/dev/null 2>&1; then
+  if [[ $package =~ -14|aarch64 ]] && ! apt-cache show "$package" >/dev/null 2>&1; then
     echo "This release has no $package: what needs it is skipped."
   else
     available+=("$package")

@@ -110,7 +110,7 @@ writePixelNormalsOf (const float* points,
     const Vectors own = load (planes, plane_x, i);
     const V distance = load (planes[plane_distance] + i);
     const V curvature = curvatureOf (load (planes[plane_weight] + i));
-    NormalVectors pair[2];
+    NormalVectors pair[] = {{own, curvature}, {own, curvature}};
     usePoints<2> (
         points + 8 * at, sensor, [&] (std::size_t k, const Points& point) HWY_ATTR {
           Vectors n = own;

@@ -103,8 +103,8 @@ addUpChannels (std::size_t first,
 {
   constexpr Ints d;
   constexpr std::size_t number = std::tuple_size<Channels>::value;
-  Channels carry, v;
-  carry.fill (hn::Zero (d));
+  const I zero = hn::Zero (d);
+  Channels carry{{zero, zero, zero}}, v = carry;
   for (std::size_t i = 0; i < cells; i += hn::Lanes (d)) {
     const V scale = load (sums[sum_scale] + i);
     for (std::size_t c = 0; c < number; ++c)

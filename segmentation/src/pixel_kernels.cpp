@@ -70,15 +70,14 @@ loadPixelsHere (const float* first,
       stride == 4 && reinterpret_cast<std::uintptr_t> (first) % 16 == 0;
   if (has_blocks && run % lanes == 0)
     for (std::size_t i = 0; i < offsets.size(); i += lanes) {
-      Points p;
-      V unused;
+      V px, py, pz, unused;
       const float* from = first + 4 * offsets[i];
       for (std::size_t k = 0; k < 4 * lanes; k += cache_line)
         hwy::Prefetch (from + next_tile + k);
-      hn::LoadInterleaved4 (Floats(), from, p.x, p.y, p.z, unused);
-      hn::StoreU (p.x, Floats(), x + i);
-      hn::StoreU (p.y, Floats(), y + i);
-      hn::StoreU (p.z, Floats(), z + i);
+      hn::LoadInterleaved4 (Floats(), from, px, py, pz, unused);
+      hn::StoreU (px, Floats(), x + i);
+      hn::StoreU (py, Floats(), y + i);
+      hn::StoreU (pz, Floats(), z + i);
     }
   else // Gathers are slow on some processors.
     for (std::size_t i = 0; i < offsets.size(); ++i) {
