@@ -448,6 +448,53 @@ TEST (SupportedObjectExtraction, ObjectOnAnObject)
   }
 }
 
+TEST (SupportedObjectExtraction, FootOfAnObjectOnAnObject)
+{
+  // Noise explains the heights of an eighth of the points of the upper box.
+  const Box upper{{1.1f, 0.f, table_height + 0.08f}, {0.04f, 0.1f, 0.02f}};
+  const View view =
+      look ({floor_slab, table, onTable (1.1f, 0.f, {0.2f, 0.2f, 0.08f}), upper},
+            Camera(),
+            1.f);
+  Extraction extraction;
+  extraction.setMinPoints (40);
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 2u);
+  for (const auto& object : objects) {
+    const bool is_upper = iou (object, view, 3) > 0.5;
+    EXPECT_EQ (object.support, view.top.at (is_upper ? 2 : 1));
+    EXPECT_NEAR (object.box_size.z(), is_upper ? 0.02f : 0.08f, 0.006f);
+  }
+}
+
+TEST (SupportedObjectExtraction, ObjectOnTopsThatAreOnePlane)
+{
+  View view = look ({floor_slab,
+                     table,
+                     onTable (1.1f, 0.2f, {0.2f, 0.2f, 0.08f}),
+                     onTable (1.1f, -0.2f, {0.2f, 0.2f, 0.08f}),
+                     {{1.1f, 0.2f, table_height + 0.08f}, {0.08f, 0.08f, 0.08f}}});
+  const std::size_t tops = view.top.at (2), other_top = view.top.at (3);
+  auto& inliers = view.inliers[tops].indices;
+  inliers.insert (inliers.end(),
+                  view.inliers[other_top].indices.begin(),
+                  view.inliers[other_top].indices.end());
+  std::sort (inliers.begin(), inliers.end());
+  view.models[other_top] = view.models[tops];
+  view.inliers[other_top].indices.clear();
+
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 3u);
+  for (const auto& object : objects) {
+    const bool is_upper = iou (object, view, 4) > 0.5;
+    EXPECT_EQ (object.support, is_upper ? tops : view.top.at (1));
+    EXPECT_NEAR (object.box_size.z(), 0.08f, 0.005f);
+  }
+}
+
 TEST (SupportedObjectExtraction, SeveralTables)
 {
   const Box low_table{{1.2f, 0.45f, 0.46f}, {0.6f, 0.5f, 0.04f}};
