@@ -697,6 +697,23 @@ TEST (SupportedObjectExtraction, WhatTheImageCutsIsTruncatedAndNotGraspable)
   }
 }
 
+TEST (SupportedObjectExtraction, WallsThatTheImageCutsAreNoObjects)
+{
+  // The image ends less than 30 cm above the floor, at a wall and at a box of 29 cm.
+  const Camera looks_down{1.4f, 0.85f};
+  const Box wall{{2.7f, 0.f, 0.f}, {0.2f, 6.f, 2.f}};
+  const Box corner{{0.f, 1.1f, 0.f}, {6.f, 0.2f, 2.f}};
+  const Box box{{2.55f, 0.3f, 0.f}, {0.1f, 0.2f, 0.29f}};
+  for (const float noise : {0.f, 1.f}) {
+    EXPECT_TRUE (extract (look ({floor_slab, wall}, looks_down, noise)).empty());
+    EXPECT_TRUE (
+        extract (look ({floor_slab, wall, corner}, looks_down, noise)).empty());
+    const Objects objects = extract (look ({floor_slab, box}, looks_down, noise));
+    ASSERT_EQ (objects.size(), 1u);
+    EXPECT_TRUE (objects.front().truncated);
+  }
+}
+
 TEST (SupportedObjectExtraction, ThingsOnTheFloorAreObjects)
 {
   const View view = look ({floor_slab, {{1.5f, 0.f, 0.f}, {0.2f, 0.2f, 0.2f}}});
