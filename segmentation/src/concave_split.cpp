@@ -194,19 +194,13 @@ ConcaveSplit::partAt (std::uint32_t i) const
   return isSplit (cluster) ? part_[i] : first_part_[cluster];
 }
 
-/** The part that most of a plane belongs to, from 1 on, or 0. */
-std::uint32_t
-ConcaveSplit::partWithPlane (const pcl::Indices& inliers)
+/** How many points of a plane are of each part, from 1 on, and of none. */
+void
+ConcaveSplit::countPlanePoints (const pcl::Indices& inliers)
 {
   plane_points_.assign (parts_.size() + 1, 0);
   for (const auto index : inliers)
     ++plane_points_[partAt (image_.placeOf (static_cast<std::uint32_t> (index)))];
-  const auto most = std::max_element (plane_points_.begin() + 1, plane_points_.end());
-  constexpr double nearly_all = 0.8;
-  if (most == plane_points_.end() ||
-      static_cast<double> (*most) < nearly_all * static_cast<double> (inliers.size()))
-    return 0;
-  return static_cast<std::uint32_t> (most - plane_points_.begin());
 }
 
 void
@@ -214,12 +208,19 @@ ConcaveSplit::settle (const OrganizedPoints& points,
                       const std::vector<SegmentedPlane>& planes,
                       const std::vector<SupportPlane>& supports)
 {
+  constexpr double few = 0.2;
   for (std::size_t k = supports.size(); k-- > 0;) { // the highest one counts
     if (!supports[k].is_on_object)
       continue;
-    const std::uint32_t part = partWithPlane (*planes[supports[k].index].inliers);
-    for (std::size_t c = 0; part != 0 && c < parts_.size(); ++c)
-      if (c + 1 != part && liesAbove (points, parts_[c].runs, supports[k], parameters_))
+    const auto& inliers = *planes[supports[k].index].inliers;
+    const double max_few = few * static_cast<double> (inliers.size());
+    countPlanePoints (inliers);
+    const auto isFew = [&] (std::size_t part) {
+      return static_cast<double> (plane_points_[part]) <= max_few;
+    };
+    // Tops of equal height are one plane, of several parts.
+    for (std::size_t c = 0; isFew (0) && c < parts_.size(); ++c)
+      if (isFew (c + 1) && liesAbove (points, parts_[c].runs, supports[k], parameters_))
         parts_[c].support = k;
   }
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -175,6 +176,20 @@ ConvexOutline::Chain::at (float x, std::size_t edge) const
   const Vector2f& b = points[edge + 1];
   const float width = b.x() - a.x();
   return width > 0.f ? a.y() + (b.y() - a.y()) * (x - a.x()) / width : b.y();
+}
+
+float
+ConvexOutline::depthOf (const Vector2f& point) const
+{
+  constexpr float max = std::numeric_limits<float>::max();
+  float depth = corners_.size() > 2 ? max : -max;
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Vector2f &a = corners_[k], &b = corners_[(k + 1) % corners_.size()];
+    const float length = (b - a).norm();
+    if (length > 0.f)
+      depth = std::min (depth, cross (a, b, point) / length);
+  }
+  return depth;
 }
 
 bool

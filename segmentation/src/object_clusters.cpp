@@ -204,29 +204,37 @@ ObjectClusters::heightAbove (const SupportPlane& support,
          support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
 }
 
-/** Cameras have margins where nothing is measured: those with nothing between them and the
- * border, if that is near. */
+/** In the direction of \a step. Cameras have margins where nothing is measured: those with
+ * nothing between them and the border, if that is near. */
 std::size_t
-ObjectClusters::pointsAtBorder (const PointRun& run) const
+ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
   const auto height = static_cast<std::uint32_t> (points_.height);
   const std::uint32_t margin_u = width / margins + 1, margin_v = height / margins + 1;
   const std::uint32_t u = run.first % width, v = run.first / width;
-  const std::uint32_t last = run.first + run.length - 1;
-  const auto isNextToBorder = [this] (std::uint32_t i, std::ptrdiff_t step) {
-    std::uint32_t k = next (i, step);
-    for (; k != i && !isMeasured (points_[k]); k = next (k, step))
-      i = k;
-    return k == i;
-  };
-  std::size_t count = (u < margin_u && isNextToBorder (run.first, -1)) +
-                      (u + run.length + margin_u > width && isNextToBorder (last, 1));
-  for (std::uint32_t i = run.first; v < margin_v && i <= last; ++i)
-    count += isNextToBorder (i, -points_.width);
-  for (std::uint32_t i = run.first; v + margin_v >= height && i <= last; ++i)
-    count += isNextToBorder (i, points_.width);
+  const std::uint32_t end = run.first + run.length;
+  const bool is_near = step == -1               ? u < margin_u
+                       : step == 1              ? u + run.length + margin_u > width
+                       : step == -points_.width ? v < margin_v
+                                                : v + margin_v >= height;
+  std::size_t count = 0;
+  for (std::uint32_t k = step == 1 ? end - 1 : run.first;
+       is_near && k < (step == -1 ? run.first + 1 : end);
+       ++k) {
+    std::uint32_t last = k, i = next (k, step);
+    for (; i != last && !isMeasured (points_[i]); i = next (i, step))
+      last = i;
+    count += i == last;
+  }
   return count;
+}
+
+std::size_t
+ObjectClusters::pointsAtBorder (const PointRun& run) const
+{
+  return pointsAtBorder (run, -1) + pointsAtBorder (run, 1) +
+         pointsAtBorder (run, -points_.width) + pointsAtBorder (run, points_.width);
 }
 
 bool

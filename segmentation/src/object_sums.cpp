@@ -52,12 +52,15 @@ ObjectClusters::sumUp()
       return;
     sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
     sums.at_border += pointsAtBorder (run);
+    sums.cut_tops += pointsAtBorder (run, stepUpwards (run.first));
     countLeaksAndTops (run, limit, sums);
   });
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (sums.at_background > 0)
       sums.off_background +=
           pointsOffBackground (run, supports_->planes()[sums.support]);
+    if (isCutAbove (sums))
+      sums.well_inside += pointsWellInside (run, supports_->planes()[sums.support]);
   });
 }
 
@@ -130,6 +133,19 @@ ObjectClusters::pointsOverHull (const PointRun& run, const SupportPlane& support
   std::size_t count = 0;
   for (std::uint32_t i = run.first; i < end; ++i)
     count += isOver (i);
+  return count;
+}
+
+/** Those further inside of the hull than noise explains of what stands at its border. */
+std::size_t
+ObjectClusters::pointsWellInside (const PointRun& run,
+                                  const SupportPlane& support) const
+{
+  std::size_t count = 0;
+  for (std::uint32_t i = run.first; i < run.first + run.length; ++i)
+    count += support.outline.depthOf (support.project (points_[i])) >
+             parameters_.hull_tolerance +
+                 clear_sigmas * parameters_.noise.sigma (squaredRange (points_[i]));
   return count;
 }
 
@@ -240,6 +256,12 @@ ObjectClusters::isClear (const Sums& sums) const
 }
 
 bool
+ObjectClusters::isCutAbove (const Sums& sums)
+{
+  return sums.cut_tops > sums.tops;
+}
+
+bool
 ObjectClusters::isObject (const Sums& sums) const
 {
   const auto points = static_cast<double> (sums.points);
@@ -253,6 +275,8 @@ ObjectClusters::isObject (const Sums& sums) const
          static_cast<double> (sums.going_on) <=
              may_go_on * static_cast<double> (sums.tops) &&
          static_cast<double> (sums.leaks) <= max_leaks &&
+         (!isCutAbove (sums) ||
+          static_cast<double> (sums.well_inside) >= over_hull_share * points) &&
          (static_cast<double> (sums.at_background) <= max_leaks ||
           static_cast<double> (sums.off_background) >= clear_of_points * points);
 }

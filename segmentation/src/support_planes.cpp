@@ -257,10 +257,13 @@ liesAbove (const OrganizedPoints& points,
            const SupportPlane& support,
            const ObjectParameters& parameters)
 {
-  const auto isAbove = [&] (const float* p) {
-    return levelOf (p, support, Reach::outline, parameters) == Level::above;
+  const auto shareAt = [&] (bool or_on_plane) {
+    return shareOf (points, thing, [&] (const float* p) {
+      const Level level = levelOf (p, support, Reach::outline, parameters);
+      return level == Level::above || (or_on_plane && level == Level::on_plane);
+    });
   };
-  return shareOf (points, thing, isAbove).isAtLeast (nearly_all);
+  return shareAt (true).isAtLeast (nearly_all) && shareAt (false).isMost();
 }
 
 bool

@@ -115,6 +115,32 @@ TEST (ConvexOutline, OctagonInsideHoldsMostAndNothingElse)
   }
 }
 
+TEST (ConvexOutline, DepthIsThatOfTheLargestDiscInside)
+{
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    auto points = randomPoints (seed, 200);
+    const auto centers = points;
+    ConvexOutline outline;
+    outline.compute (points, 0.1f);
+    for (const auto& p : centers) {
+      const float depth = outline.depthOf (p);
+      float outside = 0.f, slightly_outside = 0.f;
+      for (int k = 0; k < 360; ++k) {
+        const float angle = static_cast<float> (k) * static_cast<float> (M_PI) / 180.f;
+        const Vector2f way = depth * Vector2f (std::cos (angle), std::sin (angle));
+        outside = std::max (outside, distanceOutside (outline.corners(), p + way));
+        slightly_outside = std::max (
+            slightly_outside, distanceOutside (outline.corners(), p + 1.01f * way));
+      }
+      EXPECT_LT (outside, 1e-5f);
+      if (depth > 1e-3f) {
+        EXPECT_GT (slightly_outside, 0.f);
+      }
+    }
+    EXPECT_LT (outline.depthOf ({0.f, 2.f}), -1.f);
+  }
+}
+
 TEST (ConvexOutline, FewPoints)
 {
   ConvexOutline outline;

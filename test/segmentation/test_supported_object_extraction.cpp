@@ -448,6 +448,53 @@ TEST (SupportedObjectExtraction, ObjectOnAnObject)
   }
 }
 
+TEST (SupportedObjectExtraction, FootOfAnObjectOnAnObject)
+{
+  // Noise explains the heights of an eighth of the points of the upper box.
+  const Box upper{{1.1f, 0.f, table_height + 0.08f}, {0.04f, 0.1f, 0.02f}};
+  const View view =
+      look ({floor_slab, table, onTable (1.1f, 0.f, {0.2f, 0.2f, 0.08f}), upper},
+            Camera(),
+            1.f);
+  Extraction extraction;
+  extraction.setMinPoints (40);
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 2u);
+  for (const auto& object : objects) {
+    const bool is_upper = iou (object, view, 3) > 0.5;
+    EXPECT_EQ (object.support, view.top.at (is_upper ? 2 : 1));
+    EXPECT_NEAR (object.box_size.z(), is_upper ? 0.02f : 0.08f, 0.006f);
+  }
+}
+
+TEST (SupportedObjectExtraction, ObjectOnTopsThatAreOnePlane)
+{
+  View view = look ({floor_slab,
+                     table,
+                     onTable (1.1f, 0.2f, {0.2f, 0.2f, 0.08f}),
+                     onTable (1.1f, -0.2f, {0.2f, 0.2f, 0.08f}),
+                     {{1.1f, 0.2f, table_height + 0.08f}, {0.08f, 0.08f, 0.08f}}});
+  const std::size_t tops = view.top.at (2), other_top = view.top.at (3);
+  auto& inliers = view.inliers[tops].indices;
+  inliers.insert (inliers.end(),
+                  view.inliers[other_top].indices.begin(),
+                  view.inliers[other_top].indices.end());
+  std::sort (inliers.begin(), inliers.end());
+  view.models[other_top] = view.models[tops];
+  view.inliers[other_top].indices.clear();
+
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 3u);
+  for (const auto& object : objects) {
+    const bool is_upper = iou (object, view, 4) > 0.5;
+    EXPECT_EQ (object.support, is_upper ? tops : view.top.at (1));
+    EXPECT_NEAR (object.box_size.z(), 0.08f, 0.005f);
+  }
+}
+
 TEST (SupportedObjectExtraction, SeveralTables)
 {
   const Box low_table{{1.2f, 0.45f, 0.46f}, {0.6f, 0.5f, 0.04f}};
@@ -647,6 +694,23 @@ TEST (SupportedObjectExtraction, WhatTheImageCutsIsTruncatedAndNotGraspable)
   for (const float side : {1.f, -1.f}) {
     EXPECT_TRUE (isTruncated (side * 0.8f, 0));
     EXPECT_TRUE (isTruncated (side * 0.75f, 10));
+  }
+}
+
+TEST (SupportedObjectExtraction, WallsThatTheImageCutsAreNoObjects)
+{
+  // The image ends less than 30 cm above the floor, at a wall and at a box of 29 cm.
+  const Camera looks_down{1.4f, 0.85f};
+  const Box wall{{2.7f, 0.f, 0.f}, {0.2f, 6.f, 2.f}};
+  const Box corner{{0.f, 1.1f, 0.f}, {6.f, 0.2f, 2.f}};
+  const Box box{{2.7f, 0.3f, 0.f}, {0.1f, 0.2f, 0.29f}};
+  for (const float noise : {0.f, 1.f}) {
+    EXPECT_TRUE (extract (look ({floor_slab, wall}, looks_down, noise)).empty());
+    EXPECT_TRUE (
+        extract (look ({floor_slab, wall, corner}, looks_down, noise)).empty());
+    const Objects objects = extract (look ({floor_slab, box}, looks_down, noise));
+    ASSERT_EQ (objects.size(), 1u);
+    EXPECT_TRUE (objects.front().truncated);
   }
 }
 

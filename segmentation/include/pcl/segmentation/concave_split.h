@@ -95,8 +95,8 @@ class PCL_RGBD_PLANES_EXPORTS ConcaveSplit {
 public:
   /** \brief Splits \a clusters into parts.
    *
-   * A part that lies above the top of another one, where that is among the supporting planes,
-   * rests on it.
+   * A part that lies above the top of another one, or of several of equal height, where that is
+   * among the supporting planes, rests on it.
    * \param[in] normals one for each point; those that are NaN cut nothing
    * \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians
    * \param[in] planes all planes that were found
@@ -148,8 +148,8 @@ private:
   std::uint32_t
   partAt (std::uint32_t i) const;
 
-  std::uint32_t
-  partWithPlane (const pcl::Indices& inliers);
+  void
+  countPlanePoints (const pcl::Indices& inliers);
 
   void
   settle (const OrganizedPoints& points,

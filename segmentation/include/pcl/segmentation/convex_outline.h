@@ -67,6 +67,11 @@ public:
   bool
   contains (const Eigen::Vector2f& point) const;
 
+  /** \brief How far inside of the hull \a point lies, or negative if outside; linear in the
+   * number of corners. The tolerance does not count. */
+  float
+  depthOf (const Eigen::Vector2f& point) const;
+
 private:
   /** \brief A border from left to right, in steps of equal width. */
   struct Chain {

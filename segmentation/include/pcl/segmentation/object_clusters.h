@@ -29,7 +29,7 @@ struct ObjectCluster {
  * corner of the plane where they stand on it. Those that hang together with what lies further
  * outside, lower, or too high are no objects, nor is what goes on above most of its top, lies under a
  * higher supporting plane, such as the legs of a table, or has its top hidden behind something
- * nearer. Things may touch a plane of the background, such as a wall, if they stand out from it.
+ * nearer, nor what stands where the plane ends and has its top cut by the image, such as a wall. Things may touch a plane of the background, such as a wall, if they stand out from it.
  */
 class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
 public:
@@ -84,6 +84,10 @@ private:
     std::size_t going_on = 0;
     /** Those at the border of the image; counted of what is large and clear. */
     std::size_t at_border = 0;
+    /** Those above which the image ends. If these are most tops, */
+    std::size_t cut_tops = 0;
+    /** those clearly inside of the hull. */
+    std::size_t well_inside = 0;
     std::size_t support = 0;
     std::size_t cluster = 0;
   };
@@ -131,7 +135,16 @@ private:
   pointsOverHull (const PointRun& run, const SupportPlane& support) const;
 
   std::size_t
+  pointsWellInside (const PointRun& run, const SupportPlane& support) const;
+
+  std::size_t
+  pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const;
+
+  std::size_t
   pointsAtBorder (const PointRun& run) const;
+
+  static bool
+  isCutAbove (const Sums& sums);
 
   static bool
   isTruncated (std::size_t at_border);

@@ -112,7 +112,8 @@ levelOf (const float* p,
   return height > 0.f ? Level::above : Level::elsewhere;
 }
 
-/** \brief Whether nearly all points of a thing lie above a plane, and over its hull. */
+/** \brief Whether nearly all points of a thing lie over the hull of a plane, most of them above
+ * it and the rest, such as its foot, where noise may have them on it. */
 PCL_RGBD_PLANES_EXPORTS bool
 liesAbove (const OrganizedPoints& points,
            const std::vector<PointRun>& thing,

@@ -64,7 +64,8 @@ struct SupportedObject {
  * continues further outside or higher up is no object (people, furniture), nor is what lies
  * under a higher supporting plane (legs of a table), on a plane much of which is elsewhere
  * (the wall behind a table), or mostly ends at something nearer above it in the image, for
- * how high it is cannot be seen. What touches such a wall is an object if a quarter of its points
+ * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
+ * of a wall. What touches such a wall is an object if a quarter of its points
  * stand out from it, by five standard deviations of depth. A thing on a thing is one object with
  * it, but for setSplitAtConcaveEdges().
  *
