@@ -86,8 +86,8 @@ PlaneExtraction::compute (const OrganizedPoints& points,
       points, normals, selected, parameters_.noise, parameters_.maximum_curvature);
   times_.normal_space = secondsSince (start);
 
-  max_sigmas_ =
-      static_cast<float> (parameters.distance_threshold) / parameters.noise.sigma (1.f);
+  max_sigmas_ = static_cast<float> (parameters.distanceThreshold()) /
+                parameters.noise.sigma (1.f);
   const double min_samples =
       static_cast<double> (parameters_.min_inliers) / (samples_.step * samples_.step);
   growth_.reset (

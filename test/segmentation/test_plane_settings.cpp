@@ -32,6 +32,29 @@ TEST (PlaneSettings, DepthNoiseSaysHowFarPointsSpread)
   EXPECT_LE (static_cast<double> (largest), 0.3 * result.labels.size());
 }
 
+TEST (PlaneSettings, PreciseSensorsTellSmallSteps)
+{
+  // Two levels, 2 mm apart.
+  Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 320, 240);
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    if (i % 320 > 160)
+      (*scene.cloud)[i].getVector3fMap() *= 1.002f;
+  const pcl::rgbd_planes::DepthNoise precise{1e-4f, 1e-4f};
+  Ours segmentation;
+  EXPECT_EQ (segmentation.getDistanceThreshold(), 0.009);
+  segmentation.setMinInliers (250);
+  Result result;
+  segment (segmentation, scene.cloud, result);
+  EXPECT_EQ (result.models.size(), 1u);
+  segmentation.setDepthNoise (precise);
+  EXPECT_NEAR (segmentation.getDistanceThreshold(), 0.0009, 1e-9);
+  segment (segmentation, result);
+  EXPECT_EQ (result.models.size(), 2u);
+  segmentation.setDistanceThreshold (0.009);
+  segment (segmentation, result);
+  EXPECT_EQ (result.models.size(), 1u);
+}
+
 TEST (PlaneSettings, PointsBeyondTheRangeTakeNoPart)
 {
   const Scene scene = render (

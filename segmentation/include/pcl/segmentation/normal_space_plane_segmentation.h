@@ -127,14 +127,14 @@ public:
 
   /** \brief How far from its plane a point may lie along the viewing ray, in metres at a
    * range of 1 m; grows with range as the noise of the sensor does, more than 0, default
-   * 0.009. */
+   * 0.009, or 4.5 standard deviations of that noise if that is less. */
   void
   setDistanceThreshold (double distance_threshold);
 
   double
   getDistanceThreshold () const
   {
-    return parameters_.distance_threshold;
+    return parameters_.distanceThreshold();
   }
 
   /** \brief Points with a larger curvature start no cluster, but may still join a plane; the

@@ -21,6 +21,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,8 +35,9 @@ struct PlaneExtractionParameters {
   /** Clusters whose mean normals differ by less are merged; radians. */
   double angular_threshold = 0.2;
   /** Largest distance of a point from its plane, along the viewing ray, at a range of
-   * 1 m, in metres; elsewhere the same number of standard deviations of depth. */
-  double distance_threshold = 0.009;
+   * 1 m, in metres; elsewhere the same number of standard deviations of depth. 0: see
+   * distanceThreshold. */
+  double distance_threshold = 0.;
   /** Points with a larger curvature start no cluster; with more than half of it, they may
    * join a plane whatever their normal. */
   float maximum_curvature = 0.08f;
@@ -45,6 +47,15 @@ struct PlaneExtractionParameters {
   NormalSpaceGrid grid = NormalSpaceGrid::voxels;
   DepthNoise noise;
   PlaneAdditions additions;
+
+  /** Its default suits a Kinect and its like, whose planes are bent as well; sensors with
+   * less noise tell smaller steps. */
+  double
+  distanceThreshold () const
+  {
+    return distance_threshold > 0. ? distance_threshold
+                                   : std::min (0.009, 4.5 * noise.sigma (1.f));
+  }
 };
 
 /** \brief Why candidates did not become planes: how many in the last frame. */

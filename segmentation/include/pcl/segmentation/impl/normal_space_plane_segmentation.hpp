@@ -31,11 +31,13 @@ void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::setDistanceThreshold (
     double distance_threshold)
 {
-  rgbd_planes::setParameter (getClassName() + "::setDistanceThreshold",
-                             distance_threshold,
-                             parameters_.distance_threshold,
-                             rgbd_planes::Zero::refused,
-                             rgbd_planes::any_finite);
+  double threshold = parameters_.distanceThreshold();
+  if (rgbd_planes::setParameter (getClassName() + "::setDistanceThreshold",
+                                 distance_threshold,
+                                 threshold,
+                                 rgbd_planes::Zero::refused,
+                                 rgbd_planes::any_finite))
+    parameters_.distance_threshold = threshold;
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
