@@ -32,13 +32,44 @@ TEST (PlaneSettings, DepthNoiseSaysHowFarPointsSpread)
   EXPECT_LE (static_cast<double> (largest), 0.3 * result.labels.size());
 }
 
-TEST (PlaneSettings, PreciseSensorsTellSmallSteps)
+namespace {
+
+/** A wall 1 m away, and another level of half of it, \a step behind. */
+Scene
+twoLevels (float step)
 {
-  // Two levels, 2 mm apart.
   Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 320, 240);
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)
     if (i % 320 > 160)
-      (*scene.cloud)[i].getVector3fMap() *= 1.002f;
+      (*scene.cloud)[i].getVector3fMap() *= 1.f + step;
+  return scene;
+}
+
+} // namespace
+
+TEST (PlaneSettings, LevelsAreTold)
+{
+  Ours segmentation;
+  segmentation.setMinInliers (250);
+  const auto expectBoth = [&segmentation] (float step) {
+    Result result;
+    segment (segmentation, twoLevels (step).cloud, result);
+    ASSERT_EQ (result.models.size(), 2u) << step;
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_LE (angleDegrees (result.normal (k), {0.f, 0.f, -1.f}), 0.1f) << step;
+      EXPECT_NEAR (result.inliers[k].indices.size(), 38400., 400.) << step;
+    }
+  };
+  for (const float step : {0.015f, 0.02f, 0.025f, 0.03f, 0.05f})
+    expectBoth (step);
+  segmentation.setDepthNoise ({1e-4f, 1e-4f});
+  for (const float step : {0.002f, 0.003f, 0.005f, 0.01f})
+    expectBoth (step);
+}
+
+TEST (PlaneSettings, PreciseSensorsTellSmallSteps)
+{
+  const Scene scene = twoLevels (0.002f);
   const pcl::rgbd_planes::DepthNoise precise{1e-4f, 1e-4f};
   Ours segmentation;
   EXPECT_EQ (segmentation.getDistanceThreshold(), 0.009);

@@ -69,6 +69,9 @@ private:
   PlaneMoments
   fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
 
+  PlaneMoments
+  keepHighestLevel (const PlaneSamples& samples, const PlaneMoments& seed);
+
   void
   claimSeed (const PlaneSamples& samples, const Plane& plane);
 
