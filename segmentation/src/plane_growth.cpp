@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "each_bit.h"
 #include "plane_kernels.h"
 #include "surface_turn.h"
 #include "tile_bits.h"
@@ -9,7 +8,6 @@
 #include <pcl/segmentation/plane_growth.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,60 +27,13 @@ constexpr std::uint8_t min_tile_points = 3;
 /** A seed whose plane is tilted by more against its mean normal gets that. */
 constexpr float min_start_cosine = 0.8f;
 /** The points of a seed may be on several levels where the mean square of their errors, in
- * standard deviations, is larger. Levels are told up to so many of these apart. */
+ * standard deviations, is larger. */
 constexpr double max_seed_error = 1.;
-constexpr int max_level = 64;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
  * per metre on the surface, where they turn noticeably. */
 constexpr double max_turn = 0.15, max_turn_per_metre = 0.012, max_bend = 3.,
                  min_bent_turn = 0.08;
-
-/** The numbers of points at each height, in standard deviations. */
-class Levels {
-public:
-  void
-  add (float height)
-  {
-    ++numbers_[binOf (height)];
-  }
-
-  /** Finds the peak that is highest after smoothing, up to the minima around it. */
-  void
-  findHighest ()
-  {
-    const auto smoothed = [this] (std::size_t i) {
-      return numbers_[i - 1] + 2 * numbers_[i] + numbers_[i + 1];
-    };
-    std::size_t peak = 1;
-    for (std::size_t i = 1; i + 1 < numbers_.size(); ++i)
-      if (smoothed (i) > smoothed (peak))
-        peak = i;
-    for (first_ = peak; first_ > 1 && smoothed (first_ - 1) < smoothed (first_);)
-      --first_;
-    last_ = peak;
-    while (last_ + 2 < numbers_.size() && smoothed (last_ + 1) < smoothed (last_))
-      ++last_;
-  }
-
-  bool
-  isOnHighest (float height) const
-  {
-    const std::size_t bin = binOf (height);
-    return first_ <= bin && bin <= last_;
-  }
-
-private:
-  static std::size_t
-  binOf (float height)
-  {
-    constexpr auto limit = static_cast<float> (max_level);
-    return static_cast<std::size_t> (std::clamp (height, -limit, limit) + limit + 1.5f);
-  }
-
-  std::array<std::uint32_t, 2 * max_level + 3> numbers_{};
-  std::size_t first_ = 0, last_ = 0;
-};
 
 } // namespace
 
@@ -116,7 +67,7 @@ PlaneGrowth::grow (PlaneSamples& samples,
   PlaneMoments moments = fitSeed (samples, seed);
   if (moments.points > 3 &&
       moments.meanSquaredError (moments.inverseDistance()) > max_seed_error)
-    moments = keepHighestLevel (samples, moments);
+    moments = keepLevel (samples, moments);
   if (static_cast<double> (moments.points) <
       std::max (3., min_seed_share * min_points_))
     return Result::claimed_by_larger;
@@ -140,72 +91,6 @@ PlaneGrowth::grow (PlaneSamples& samples,
   return Result::plane;
 }
 
-PlaneMoments
-PlaneGrowth::fitSeed (const PlaneSamples& samples,
-                      const SampleComponents::Component& seed)
-{
-  seed_tiles_.clear();
-  std::size_t number = 0;
-  for (const TilePart* part = seed.first; part != seed.last;) {
-    const std::uint32_t tile = part->tile;
-    unsigned own = 0;
-    for (; part != seed.last && part->tile == tile; ++part)
-      own |= part->own;
-    const std::uint16_t claimed =
-        claimPart (samples, tile, static_cast<std::uint16_t> (own), claimed_.data());
-    if (claimed == 0)
-      continue;
-    if (number == 0) {
-      const std::size_t first = tile * PlaneSamples::tile_size + lowestBit (claimed);
-      reference_ = {samples.x[first], samples.y[first], samples.z[first]};
-    }
-    seed_tiles_.push_back (tile);
-    number += count (claimed);
-  }
-  const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
-  if (number > 0)
-    reference_ = moments.mean().cast<float>().cast<double>();
-  return moments;
-}
-
-/** Leaves those of a seed on which most points are of several planes one above the other, as
- * those of a step are, which no single plane fits. */
-PlaneMoments
-PlaneGrowth::keepHighestLevel (const PlaneSamples& samples, const PlaneMoments& seed)
-{
-  const auto forEachClaim = [&] (const auto& visit) {
-    for (const std::uint32_t tile : seed_tiles_)
-      for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
-        if (const std::size_t i = tile * PlaneSamples::tile_size + k; claimed_[i] > 0.f)
-          visit (i);
-  };
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  forEachClaim ([&] (std::size_t i) {
-    normal +=
-        Eigen::Vector3f (samples.normal_x[i], samples.normal_y[i], samples.normal_z[i]);
-  });
-  const float mean = normal.dot (seed.mean().cast<float>());
-  const auto heightOf = [&] (std::size_t i) {
-    const float distance =
-        normal[0] * samples.x[i] + normal[1] * samples.y[i] + normal[2] * samples.z[i];
-    return (distance - mean) / std::abs (mean) / samples.relative_sigma[i];
-  };
-  Levels levels;
-  forEachClaim ([&] (std::size_t i) { levels.add (heightOf (i)); });
-  levels.findHighest();
-  std::size_t number = 0;
-  forEachClaim ([&] (std::size_t i) {
-    if (levels.isOnHighest (heightOf (i)))
-      ++number;
-    else
-      claimed_[i] = 0.f;
-  });
-  const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
-  if (number > 0)
-    reference_ = moments.mean().cast<float>().cast<double>();
-  return moments;
-}
-
 /** Leaves the plane, its claims, and their sums. */
 void
 PlaneGrowth::claimSeed (const PlaneSamples& samples, const Plane& plane)
@@ -214,11 +99,8 @@ PlaneGrowth::claimSeed (const PlaneSamples& samples, const Plane& plane)
   tiles_ = seed_tiles_;
   std::size_t number = 0;
   for (const std::uint32_t tile : tiles_) {
-    const float* claims = &claimed_[tile * PlaneSamples::tile_size];
-    const auto taken = std::count_if (
-        claims, claims + PlaneSamples::tile_size, [] (float w) { return w > 0.f; });
-    counts_[tile] = static_cast<std::uint8_t> (taken);
-    number += static_cast<std::size_t> (taken);
+    counts_[tile] = static_cast<std::uint8_t> (countClaims (tile));
+    number += counts_[tile];
   }
   sums_ = sumOver (samples, tiles_, number);
 }

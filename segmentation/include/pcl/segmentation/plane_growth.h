@@ -70,7 +70,18 @@ private:
   fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
 
   PlaneMoments
-  keepHighestLevel (const PlaneSamples& samples, const PlaneMoments& seed);
+  keepLevel (const PlaneSamples& samples, const PlaneMoments& seed);
+
+  template <typename Height>
+  std::size_t
+  keepParts (const PlaneSamples& samples, const Height& heightOf);
+
+  template <typename Visit>
+  void
+  forEachClaim (std::uint32_t tile, const Visit& visit) const;
+
+  std::size_t
+  countClaims (std::uint32_t tile) const;
 
   void
   claimSeed (const PlaneSamples& samples, const Plane& plane);
@@ -95,6 +106,13 @@ private:
   double min_points_ = 0.;
   float max_sigmas_ = 0.f;
   PlaneAdditions additions_;
+  /** A part of a seed: its tiles, from one to another of the connected ones, its claims and
+   * their mean height. */
+  struct Part {
+    std::size_t first, last, claims;
+    float height;
+  };
+
   /** The number of free samples in each tile. */
   std::vector<std::uint8_t> free_;
   enum class Look : std::uint8_t { none, at_seed, done };
@@ -106,6 +124,7 @@ private:
   std::vector<std::uint8_t> counts_;
   std::vector<Look> looks_;
   std::vector<std::uint32_t> seed_tiles_, tiles_, seen_, connected_;
+  std::vector<Part> parts_;
   Eigen::Vector3d reference_ = Eigen::Vector3d::Zero();
   Plane plane_;
   PlaneMoments sums_;

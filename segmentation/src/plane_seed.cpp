@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "each_bit.h"
+#include "plane_kernels.h"
+#include "tile_bits.h"
+
+#include <pcl/segmentation/plane_growth.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Levels are told up to so many standard deviations apart. */
+constexpr int max_level = 64;
+/** A level reaches so many of them up and down. */
+constexpr std::size_t level_width = 3;
+/** Parts of it that do not touch differ by less. */
+constexpr float max_part_height = 1.f;
+
+/** The numbers of points at each height, in standard deviations. */
+class Levels {
+public:
+  void
+  add (float height)
+  {
+    ++numbers_[binOf (height)];
+  }
+
+  /** Finds the highest peak after smoothing. */
+  void
+  findPeak ()
+  {
+    std::uint32_t most = 0;
+    for (std::size_t i = 1; i + 1 < numbers_.size(); ++i) {
+      const std::uint32_t smoothed =
+          numbers_[i - 1] + 2 * numbers_[i] + numbers_[i + 1];
+      if (smoothed > most) {
+        most = smoothed;
+        peak_ = i;
+      }
+    }
+  }
+
+  bool
+  isAtPeak (float height) const
+  {
+    const std::size_t bin = binOf (height);
+    return bin <= peak_ + level_width && peak_ <= bin + level_width;
+  }
+
+private:
+  static std::size_t
+  binOf (float height)
+  {
+    constexpr auto limit = static_cast<float> (max_level);
+    // In this order, what is not a number becomes a limit.
+    const float inside = std::min (std::max (-limit, height), limit);
+    return static_cast<std::size_t> (inside + limit + 1.5f);
+  }
+
+  std::array<std::uint32_t, 2 * max_level + 3> numbers_{};
+  std::size_t peak_ = 1;
+};
+
+} // namespace
+
+PlaneMoments
+PlaneGrowth::fitSeed (const PlaneSamples& samples,
+                      const SampleComponents::Component& seed)
+{
+  seed_tiles_.clear();
+  std::size_t number = 0;
+  for (const TilePart* part = seed.first; part != seed.last;) {
+    const std::uint32_t tile = part->tile;
+    unsigned own = 0;
+    for (; part != seed.last && part->tile == tile; ++part)
+      own |= part->own;
+    const std::uint16_t claimed =
+        claimPart (samples, tile, static_cast<std::uint16_t> (own), claimed_.data());
+    if (claimed == 0)
+      continue;
+    if (number == 0) {
+      const std::size_t first = tile * PlaneSamples::tile_size + lowestBit (claimed);
+      reference_ = {samples.x[first], samples.y[first], samples.z[first]};
+    }
+    seed_tiles_.push_back (tile);
+    number += count (claimed);
+  }
+  const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
+  if (number > 0)
+    reference_ = moments.mean().cast<float>().cast<double>();
+  return moments;
+}
+
+template <typename Visit>
+void
+PlaneGrowth::forEachClaim (std::uint32_t tile, const Visit& visit) const
+{
+  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
+    if (const std::size_t i = tile * PlaneSamples::tile_size + k; claimed_[i] > 0.f)
+      visit (i);
+}
+
+/** Leaves the claims of the largest part of the seed that hangs together, and of those parts
+ * that are as high in the mean: others lie on the level only where noise is large, as the far
+ * end of another one.
+ * \return the number of these claims */
+template <typename Height>
+std::size_t
+PlaneGrowth::keepParts (const PlaneSamples& samples, const Height& heightOf)
+{
+  for (const std::uint32_t tile : seed_tiles_)
+    looks_[tile] = countClaims (tile) > 0 ? Look::at_seed : Look::none;
+  connected_.clear();
+  parts_.clear();
+  const auto reach = [this] (std::uint32_t tile) {
+    if (std::exchange (looks_[tile], Look::none) == Look::at_seed)
+      connected_.push_back (tile);
+  };
+  for (const std::uint32_t seed : seed_tiles_) {
+    Part part{connected_.size(), 0, 0, 0.f};
+    reach (seed);
+    for (std::size_t k = part.first; k < connected_.size(); ++k) {
+      forEachClaim (connected_[k], [&] (std::size_t i) {
+        ++part.claims;
+        part.height += heightOf (i);
+      });
+      samples.forEachTileAround (connected_[k], reach);
+    }
+    part.last = connected_.size();
+    if (part.claims == 0)
+      continue;
+    part.height /= static_cast<float> (part.claims);
+    parts_.push_back (part);
+  }
+  const auto largest = std::max_element (
+      parts_.begin(), parts_.end(), [] (const Part& a, const Part& b) {
+        return a.claims < b.claims;
+      });
+  seed_tiles_.clear();
+  std::size_t number = 0;
+  for (const Part& part : parts_) {
+    if (!(std::abs (part.height - largest->height) < max_part_height))
+      continue;
+    number += part.claims;
+    for (std::size_t k = part.first; k < part.last; ++k)
+      seed_tiles_.push_back (connected_[k]);
+  }
+  std::sort (seed_tiles_.begin(), seed_tiles_.end());
+  return number;
+}
+
+std::size_t
+PlaneGrowth::countClaims (std::uint32_t tile) const
+{
+  const float* claims = &claimed_[tile * PlaneSamples::tile_size];
+  const auto taken = std::count_if (
+      claims, claims + PlaneSamples::tile_size, [] (float w) { return w > 0.f; });
+  return static_cast<std::size_t> (taken);
+}
+
+/** Leaves those of a seed on which most points are of several planes one above the other, as
+ * those of a step are, which no single plane fits. */
+PlaneMoments
+PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
+{
+  const auto forEachOfSeed = [this] (const auto& visit) {
+    for (const std::uint32_t tile : seed_tiles_)
+      forEachClaim (tile, visit);
+  };
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  forEachOfSeed ([&] (std::size_t i) {
+    normal +=
+        Eigen::Vector3f (samples.normal_x[i], samples.normal_y[i], samples.normal_z[i]);
+  });
+  const float mean = normal.dot (seed.mean().cast<float>());
+  const auto heightOf = [&] (std::size_t i) {
+    const float distance =
+        normal[0] * samples.x[i] + normal[1] * samples.y[i] + normal[2] * samples.z[i];
+    return (distance - mean) / std::abs (mean) / samples.relative_sigma[i];
+  };
+  Levels levels;
+  forEachOfSeed ([&] (std::size_t i) { levels.add (heightOf (i)); });
+  levels.findPeak();
+  forEachOfSeed ([&] (std::size_t i) {
+    if (!levels.isAtPeak (heightOf (i)))
+      claimed_[i] = 0.f;
+  });
+  const std::size_t number = keepParts (samples, heightOf);
+  const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
+  if (number > 0)
+    reference_ = moments.mean().cast<float>().cast<double>();
+  return moments;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
