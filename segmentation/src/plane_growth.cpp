@@ -65,7 +65,7 @@ PlaneGrowth::grow (PlaneSamples& samples,
                    const Eigen::Vector3f& mean_normal)
 {
   PlaneMoments moments = fitSeed (samples, seed);
-  if (moments.points > 3 &&
+  if (additions_.peaks && moments.points > 3 &&
       moments.meanSquaredError (moments.inverseDistance()) > max_seed_error)
     moments = keepLevel (samples, moments);
   if (static_cast<double> (moments.points) <

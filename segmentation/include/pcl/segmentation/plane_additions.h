@@ -15,8 +15,8 @@ struct PlaneAdditions {
   /** Points may lie the farther from their plane the farther away they are, and
    * count the less in fits; without, all count as at a range of 3 m. */
   bool noise = true;
-  /** Distances are split between peaks of their histogram; without,
-   * neighbouring bins are merged as neighbouring cells of normals are. */
+  /** Distances are split between peaks of their histogram, and candidates on several levels
+   * start on one; without, neighbouring bins are merged as neighbouring cells of normals are. */
   bool peaks = true;
   /** Parts of clusters that hang together in the image are candidates; without,
    * whole clusters. */
