@@ -38,9 +38,6 @@ mapfile -t tests < <(cd "$source/test" && ls {features,filters,segmentation}/tes
   sed 's|.*/||; s|\.cpp$||')
 cmake --build "$build" --target "${tests[@]}" | tail -n 1
 
-mkdir -p "$build/logs"
-export LOGS=$build/logs BIN=$build/bin OMP_WAIT_POLICY=passive PCL_RGBD_PLANES_SOAK_FRAMES=20
-printf '%s\n' "${tests[@]}" | xargs -P 2 -I {} bash -c '
-  start=$SECONDS log=$LOGS/{}
-  qemu-aarch64-static "$BIN/{}" --gtest_brief=1 >"$log" 2>&1 || { echo "{} fails:"; cat "$log"; exit 1; }
-  echo "$(tail -n 1 "$log") {} $((SECONDS - start)) s"'
+export OMP_WAIT_POLICY=passive PCL_RGBD_PLANES_SOAK_FRAMES=20
+printf '%s\n' "${tests[@]}" |
+  bash "$source/test/run_each.sh" "$build/bin" "$build/logs" qemu-aarch64-static

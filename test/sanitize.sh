@@ -29,8 +29,6 @@ fi
 build=$(cd "$build" && pwd)
 
 find "$build" -name '*.gcda' -delete
-rm -rf "$build/logs"
-mkdir "$build/logs"
 printf 'leak:libomp.so\nleak:OpenNI2/Drivers\n' >"$build/leaks_of_others"
 export LSAN_OPTIONS=suppressions=$build/leaks_of_others:print_suppressions=0
 export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
@@ -39,11 +37,8 @@ export ASAN_OPTIONS=allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 export GTEST_FILTER='-*NoBytesMayBeWritten*:SegmentObstacles.BadInputLeavesNothing:*Allocations*'
 export PCL_RGBD_PLANES_SOAK_FRAMES=${PCL_RGBD_PLANES_SOAK_FRAMES:-200}
 # Threads that wait must not take the time of those that work.
-export OMP_WAIT_POLICY=passive LOGS=$build/logs BIN=$build/bin
-printf '%s\n' "${tests[@]}" | xargs -P 2 -I {} bash -c '
-  start=$SECONDS log=$LOGS/{}
-  "$BIN/{}" --gtest_brief=1 >"$log" 2>&1 || { echo "{} fails:"; cat "$log"; exit 1; }
-  echo "$(tail -n 1 "$log") {} $((SECONDS - start)) s"'
+export OMP_WAIT_POLICY=passive
+printf '%s\n' "${tests[@]}" | bash "$source/test/run_each.sh" "$build/bin" "$build/logs"
 
 cd "$build"
 gcovr --root "$source" --gcov-executable 'llvm-cov-14 gcov' --filter "$source/features/" \

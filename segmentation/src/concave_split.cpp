@@ -218,8 +218,10 @@ ConcaveSplit::settle (const OrganizedPoints& points,
     const auto isFew = [&] (std::size_t part) {
       return static_cast<double> (plane_points_[part]) <= max_few;
     };
+    if (!isFew (0))
+      continue;
     // Tops of equal height are one plane, of several parts.
-    for (std::size_t c = 0; isFew (0) && c < parts_.size(); ++c)
+    for (std::size_t c = 0; c < parts_.size(); ++c)
       if (isFew (c + 1) && liesAbove (points, parts_[c].runs, supports[k], parameters_))
         parts_[c].support = k;
   }

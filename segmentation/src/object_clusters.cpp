@@ -218,10 +218,13 @@ ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
                        : step == 1              ? u + run.length + margin_u > width
                        : step == -points_.width ? v < margin_v
                                                 : v + margin_v >= height;
+  if (!is_near)
+    return 0;
+  // Along the run, only its end can be next to the border.
+  const std::uint32_t first = step == 1 ? end - 1 : run.first;
+  const std::uint32_t stop = step == -1 ? run.first + 1 : end;
   std::size_t count = 0;
-  for (std::uint32_t k = step == 1 ? end - 1 : run.first;
-       is_near && k < (step == -1 ? run.first + 1 : end);
-       ++k) {
+  for (std::uint32_t k = first; k < stop; ++k) {
     std::uint32_t last = k, i = next (k, step);
     for (; i != last && !isMeasured (points_[i]); i = next (i, step))
       last = i;

@@ -99,7 +99,7 @@ PlaneGrowth::claimSeed (const PlaneSamples& samples, const Plane& plane)
   tiles_ = seed_tiles_;
   std::size_t number = 0;
   for (const std::uint32_t tile : tiles_) {
-    counts_[tile] = static_cast<std::uint8_t> (countClaims (tile));
+    counts_[tile] = static_cast<std::uint8_t> (count (claimsIn (tile)));
     number += counts_[tile];
   }
   sums_ = sumOver (samples, tiles_, number);

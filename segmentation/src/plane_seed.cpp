@@ -93,19 +93,32 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
     seed_tiles_.push_back (tile);
     number += count (claimed);
   }
+  return sumSeed (samples, number);
+}
+
+/** Sums are relative to the mean of the seed from now on. */
+PlaneMoments
+PlaneGrowth::sumSeed (const PlaneSamples& samples, std::size_t number)
+{
   const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
   if (number > 0)
     reference_ = moments.mean().cast<float>().cast<double>();
   return moments;
 }
 
+std::uint16_t
+PlaneGrowth::claimsIn (std::uint32_t tile) const
+{
+  return samplesWhere (&claimed_[tile * PlaneSamples::tile_size],
+                       [] (float weight) { return weight > 0.f; });
+}
+
 template <typename Visit>
 void
 PlaneGrowth::forEachClaim (std::uint32_t tile, const Visit& visit) const
 {
-  for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
-    if (const std::size_t i = tile * PlaneSamples::tile_size + k; claimed_[i] > 0.f)
-      visit (i);
+  forEachBit (claimsIn (tile),
+              [&] (std::size_t bit) { visit (tile * PlaneSamples::tile_size + bit); });
 }
 
 /** Leaves the claims of the largest part of the seed that hangs together, and of those parts
@@ -117,7 +130,7 @@ std::size_t
 PlaneGrowth::keepParts (const PlaneSamples& samples, const Height& heightOf)
 {
   for (const std::uint32_t tile : seed_tiles_)
-    looks_[tile] = countClaims (tile) > 0 ? Look::at_seed : Look::none;
+    looks_[tile] = claimsIn (tile) != 0 ? Look::at_seed : Look::none;
   connected_.clear();
   parts_.clear();
   const auto reach = [this] (std::uint32_t tile) {
@@ -157,15 +170,6 @@ PlaneGrowth::keepParts (const PlaneSamples& samples, const Height& heightOf)
   return number;
 }
 
-std::size_t
-PlaneGrowth::countClaims (std::uint32_t tile) const
-{
-  const float* claims = &claimed_[tile * PlaneSamples::tile_size];
-  const auto taken = std::count_if (
-      claims, claims + PlaneSamples::tile_size, [] (float w) { return w > 0.f; });
-  return static_cast<std::size_t> (taken);
-}
-
 /** Leaves those of a seed on which most points are of several planes one above the other, as
  * those of a step are, which no single plane fits. */
 PlaneMoments
@@ -193,11 +197,7 @@ PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
     if (!levels.isAtPeak (heightOf (i)))
       claimed_[i] = 0.f;
   });
-  const std::size_t number = keepParts (samples, heightOf);
-  const PlaneMoments moments = sumOver (samples, seed_tiles_, number);
-  if (number > 0)
-    reference_ = moments.mean().cast<float>().cast<double>();
-  return moments;
+  return sumSeed (samples, keepParts (samples, heightOf));
 }
 
 } // namespace rgbd_planes

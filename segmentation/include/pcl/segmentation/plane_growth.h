@@ -80,8 +80,12 @@ private:
   void
   forEachClaim (std::uint32_t tile, const Visit& visit) const;
 
-  std::size_t
-  countClaims (std::uint32_t tile) const;
+  /** A bit for each sample of a tile. */
+  std::uint16_t
+  claimsIn (std::uint32_t tile) const;
+
+  PlaneMoments
+  sumSeed (const PlaneSamples& samples, std::size_t number);
 
   void
   claimSeed (const PlaneSamples& samples, const Plane& plane);
