@@ -192,19 +192,21 @@ TEST (VectorInstructions, HugeNoise)
 }
 
 /** Neighbours anywhere, no surface at all. Means of planes in all directions may nearly
- * cancel out, which leaves their rounding. */
+ * cancel out, which leaves their rounding: the share of points that differ by more than d
+ * falls as 1 / d, so that differences of three roundings, 3.6e-7, leave 0.36 % of the points
+ * with more than 1e-4. */
 TEST (VectorInstructions, PointsAtRandom)
 {
   std::mt19937 generator (12);
   std::uniform_real_distribution<float> random (-1.f, 1.f);
   for (const float size : {0.001f, 0.1f, 1.f, 10.f}) {
-    Image image (67, 41);
+    Image image (640, 240);
     for (auto& p : image.points)
       p = size *
           Eigen::Vector3f (random (generator), random (generator), random (generator));
     expectSameNormals (image,
                        "at random, " + std::to_string (size),
                        {Mode::edge_aware, Mode::by_depth, Mode::scales},
-                       0.002);
+                       0.0036);
   }
 }
