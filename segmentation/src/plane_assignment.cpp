@@ -14,6 +14,10 @@ namespace rgbd_planes {
 
 namespace {
 
+/** Pixels are on a plane up to so many times max_sigmas away from it: in tiles of which it owns
+ * all samples, and elsewhere, as points within noise may be on the foot of what stands there. */
+constexpr float inner_reach = 1.15f, border_reach = 0.9f;
+
 /** Sums over the points with \a label; near \a reference they differ by little, and single
  * precision is enough.
  * \return the number of points; \a sums are left as they are where there is none
@@ -150,7 +154,7 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
                     pixels.samples.data(),
                     tile,
                     noise,
-                    max_sigmas);
+                    (is_inner_[tile] ? inner_reach : border_reach) * max_sigmas);
         sumPixels (pixels.offsets.size(), samples.measuredPoint (tile), tile, noise);
       }
       const auto row = static_cast<std::size_t> (pixels.width);

@@ -45,6 +45,7 @@ PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
   intersections_.clear();
   candidates_.clear();
   first_candidate_.clear();
+  is_inner_.assign (owners.size() / PlaneSamples::tile_size, 0);
   for (std::size_t i = 0; i < owners.size(); ++i) {
     const std::size_t sample = i % PlaneSamples::tile_size;
     if (sample == 0)
@@ -70,10 +71,12 @@ PlaneAssignment::findPresentPlanes (std::size_t tiles,
 {
   present_.clear();
   first_present_.clear();
+  is_inner_.assign (tiles, 0);
   for (const TilePart& part : parts) {
     first_present_.resize (part.tile + 1, present_.size());
     if (count (part.own) >= min_samples_in_tile)
       present_.push_back (part.plane);
+    is_inner_[part.tile] |= count (part.own) == PlaneSamples::tile_size;
   }
   first_present_.resize (tiles + 1, present_.size());
 }

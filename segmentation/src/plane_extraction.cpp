@@ -30,7 +30,7 @@ constexpr float growth_reach = 1.15f;
 constexpr double min_step_share = 0.4;
 /** The mean square of the errors of points on a curved or an uneven surface, in standard
  * deviations, is larger. */
-constexpr double min_error_if_curved = 0.5, min_error_if_uneven = 0.8;
+constexpr double min_error_if_curved = 0.45, min_error_if_uneven = 0.72;
 /** Strips are longer, in widths. */
 constexpr double max_length = 5.;
 /** The square of the range whose noise stands for all where it may not grow. */

@@ -86,6 +86,29 @@ TEST (PlaneSettings, PreciseSensorsTellSmallSteps)
   EXPECT_EQ (result.models.size(), 1u);
 }
 
+TEST (PlaneSettings, ThresholdIsWiderAmidAPlaneThanAtItsBorder)
+{
+  const Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 640, 480);
+  constexpr std::size_t border = 325;
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    if (i % 640 < border)
+      (*scene.cloud)[i].getVector3fMap().setConstant (synthetic::nan);
+  Ours segmentation;
+  segmentation.setDistanceThreshold (0.01);
+  const auto isOnPlane = [&] (std::size_t u, std::size_t v, float off) {
+    const auto cloud = pcl::make_shared<Cloud> (*scene.cloud);
+    const std::size_t i = v * 640 + u;
+    (*cloud)[i].z += off;
+    Result result;
+    segment (segmentation, cloud, result);
+    return result.labels[i].label == 0;
+  };
+  EXPECT_TRUE (isOnPlane (482, 242, 0.011f));
+  EXPECT_FALSE (isOnPlane (482, 242, 0.012f));
+  EXPECT_TRUE (isOnPlane (border + 3, 242, 0.0085f));
+  EXPECT_FALSE (isOnPlane (border + 3, 242, 0.0095f));
+}
+
 TEST (PlaneSettings, PointsBeyondTheRangeTakeNoPart)
 {
   const Scene scene = render (

@@ -64,7 +64,8 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  * the image.
  *
  * How near a plane is counts along the viewing ray, where depth errs, in standard
- * deviations of depth; beyond \a max_sigmas it is too far. A plane is present in a tile
+ * deviations of depth; beyond \a max_sigmas it is too far, for pixels 1.15 times that in
+ * tiles of which it owns all samples, and 0.9 times in others. A plane is present in a tile
  * of samples and in the eight around it when it owns at least four samples of the tile;
  * it is out of the question for the pixels of a sample with a trusted normal that
  * disagrees, unless one beside it agrees and it is on another plane or disagrees by less
@@ -249,6 +250,8 @@ private:
   std::vector<std::uint32_t> present_;
   std::vector<TilePlane> candidates_;
   std::vector<std::size_t> first_present_, first_candidate_;
+  /** Not 0 for tiles of which all samples belong to one plane. */
+  std::vector<std::uint8_t> is_inner_;
   /** Of tiles inside of the image, and at its right, its lower, and both borders. */
   std::array<TilePixels, 4> layouts_;
   int image_width_ = 0, image_height_ = 0;
