@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -122,8 +121,8 @@ private:
     const Candidate top = queue_.front();
     std::size_t at = 0;
     for (std::size_t next = 1; next < queue_.size(); next = 2 * at + 1) {
-      if (next + 1 < queue_.size() && queue_[next] < queue_[next + 1])
-        ++next;
+      if (next + 1 < queue_.size())
+        next += queue_[next] < queue_[next + 1];
       if (!(top < queue_[next]))
         break;
       queue_[at] = queue_[next];
@@ -138,13 +137,19 @@ private:
     std::uint32_t b;
 
     /** The top of the queue is the nearest pair; ties are broken by number, so that
-     * results do not depend on the order of insertion. */
+     * results do not depend on the order of insertion. Without branches, which could not be
+     * foreseen. */
     bool
     operator<(const Candidate& other) const
     {
-      if (distance != other.distance)
-        return distance > other.distance;
-      return std::make_pair (a, b) > std::make_pair (other.a, other.b);
+      return (distance > other.distance) |
+             ((distance == other.distance) & (pair() > other.pair()));
+    }
+
+    std::uint64_t
+    pair () const
+    {
+      return std::uint64_t{a} << 32 | b;
     }
   };
 
