@@ -125,9 +125,8 @@ PlaneGrowth::forEachClaim (std::uint32_t tile, const Visit& visit) const
  * that are as high in the mean: others lie on the level only where noise is large, as the far
  * end of another one.
  * \return the number of these claims */
-template <typename Height>
 std::size_t
-PlaneGrowth::keepParts (const PlaneSamples& samples, const Height& heightOf)
+PlaneGrowth::keepParts (const PlaneSamples& samples)
 {
   for (const std::uint32_t tile : seed_tiles_)
     looks_[tile] = claimsIn (tile) != 0 ? Look::at_seed : Look::none;
@@ -143,7 +142,7 @@ PlaneGrowth::keepParts (const PlaneSamples& samples, const Height& heightOf)
     for (std::size_t k = part.first; k < connected_.size(); ++k) {
       forEachClaim (connected_[k], [&] (std::size_t i) {
         ++part.claims;
-        part.height += heightOf (i);
+        part.height += heights_[i];
       });
       samples.forEachTileAround (connected_[k], reach);
     }
@@ -185,19 +184,21 @@ PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
         Eigen::Vector3f (samples.normal_x[i], samples.normal_y[i], samples.normal_z[i]);
   });
   const float mean = normal.dot (seed.mean().cast<float>());
-  const auto heightOf = [&] (std::size_t i) {
+  const float unit = 1.f / std::abs (mean);
+  heights_.resize (samples.size());
+  Levels levels;
+  forEachOfSeed ([&] (std::size_t i) {
     const float distance =
         normal[0] * samples.x[i] + normal[1] * samples.y[i] + normal[2] * samples.z[i];
-    return (distance - mean) / std::abs (mean) / samples.relative_sigma[i];
-  };
-  Levels levels;
-  forEachOfSeed ([&] (std::size_t i) { levels.add (heightOf (i)); });
+    heights_[i] = unit * (distance - mean) / samples.relative_sigma[i];
+    levels.add (heights_[i]);
+  });
   levels.findPeak();
   forEachOfSeed ([&] (std::size_t i) {
-    if (!levels.isAtPeak (heightOf (i)))
+    if (!levels.isAtPeak (heights_[i]))
       claimed_[i] = 0.f;
   });
-  return sumSeed (samples, keepParts (samples, heightOf));
+  return sumSeed (samples, keepParts (samples));
 }
 
 } // namespace rgbd_planes

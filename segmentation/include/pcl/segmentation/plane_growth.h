@@ -72,9 +72,8 @@ private:
   PlaneMoments
   keepLevel (const PlaneSamples& samples, const PlaneMoments& seed);
 
-  template <typename Height>
   std::size_t
-  keepParts (const PlaneSamples& samples, const Height& heightOf);
+  keepParts (const PlaneSamples& samples);
 
   template <typename Visit>
   void
@@ -125,6 +124,7 @@ private:
    * in each tile, the tiles of its seed, those that it may have, and on the way there
    * those that were looked at and those that hang together. */
   std::vector<float> claimed_;
+  std::vector<float> heights_; // of the samples of its seed, in standard deviations
   std::vector<std::uint8_t> counts_;
   std::vector<Look> looks_;
   std::vector<std::uint32_t> seed_tiles_, tiles_, seen_, connected_;
