@@ -38,13 +38,14 @@ linkRowHere (const PointRow& row,
           hn::Mul (hn::Mul (set (LinkLimit::level_sigmas), sigma), rise),
           set (-1.f));
       const V noise = hn::Mul (set (limit.sigmas), sigma);
+      const V least = hn::Mul (set (LinkLimit::min_slope), range);
       const V slope = set (limit.slope);
       const V level_slope = hn::Max (slope, hn::Div (set (limit.level_slope), rise));
       const auto storeLinks = [&] (const Points& q, std::uint8_t* links) HWY_ATTR {
         const Points way = p - q;
         const Mask is_level = hn::Le (hn::Abs (dot (up, way)), same_height);
-        const V far =
-            hn::MulAdd (hn::IfThenElse (is_level, level_slope, slope), range, noise);
+        const V stretched = hn::IfThenElse (is_level, level_slope, slope);
+        const V far = hn::Max (hn::MulAdd (stretched, range, noise), least);
         const Mask is_close = hn::Le (squaredLength (way), hn::Mul (far, far));
         storeBytes (intOf (is_close, 1), links + i);
       };

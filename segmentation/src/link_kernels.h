@@ -25,6 +25,10 @@ struct LinkLimit {
   /** The sine of the flattest angle at which level surfaces are seen, 9 degrees. */
   static constexpr float min_rise = 0.15f;
 
+  /** Neighbours are allowed so much in any case, metres for each metre of range: about what the
+   * rest allows those of a Kinect at least, whose pixels are wide and whose noise is large. */
+  static constexpr float min_slope = 0.008f;
+
   /** Metres for each metre of range. */
   float slope = 0.f;
   /** Standard deviations of depth. */
@@ -47,7 +51,8 @@ struct LinkLimit {
     const bool is_level =
         rise >= min_rise && std::fabs (up.dot (way)) <= level_sigmas * sigma * rise;
     const float stretched = is_level ? std::max (slope, level_slope / rise) : slope;
-    const float limit = sigmas * sigma + stretched * range;
+    const float limit =
+        std::max (sigmas * sigma + stretched * range, min_slope * range);
     return way.squaredNorm() <= limit * limit;
   }
 };

@@ -31,6 +31,8 @@ constexpr float off_background_sigmas = 5.f;
 /** What ends, along a larger part of its tops, at something nearer may go on behind it: a leg
  * of a table, below the edge of its top. What does not end there, however thin, goes on: a pole. */
 constexpr double may_go_on = 0.5;
+/** Objects have more points for each row and each column of the image that they lie in. */
+constexpr double min_width = 1.25;
 
 } // namespace
 
@@ -68,6 +70,10 @@ ObjectClusters::sumUp()
 void
 ObjectClusters::findSets()
 {
+  const auto pixelOf = [this] (std::uint32_t i) {
+    const int pixel = static_cast<int> (i);
+    return Eigen::Vector2i (pixel % points_.width, pixel / points_.width);
+  };
   for (const PointRun& run : runs_.runs()) {
     const auto k = static_cast<std::uint32_t> (set_of_run_.size());
     const std::uint32_t root = runs_.root (k);
@@ -79,7 +85,10 @@ ObjectClusters::findSets()
     }
     else
       set_of_run_.push_back (set_of_run_[root]);
-    sums_[set_of_run_.back()].points += run.length;
+    Sums& sums = sums_[set_of_run_.back()];
+    sums.points += run.length;
+    sums.pixels.extend (pixelOf (run.first));
+    sums.pixels.extend (pixelOf (run.first + run.length - 1));
   }
 }
 
@@ -241,10 +250,13 @@ ObjectClusters::next (std::uint32_t i, std::ptrdiff_t step) const
   return has_next ? static_cast<std::uint32_t> (i + step) : i;
 }
 
+/** Sides that are seen so flatly that each row or column of their pixels is on its own are
+ * not. */
 bool
 ObjectClusters::isLarge (const Sums& sums) const
 {
-  return sums.points >= parameters_.min_points;
+  return sums.points >= parameters_.min_points &&
+         static_cast<double> (sums.points) >= min_width * sums.pixels.sizes().sum();
 }
 
 bool

@@ -21,6 +21,8 @@ constexpr double max_growth = 2.6, max_strip_growth = 1.25, min_error = 0.8;
 /** How far off the plane of the larger part the smaller one may lie in the mean, and how
  * well that has to be known, in standard deviations. */
 constexpr double max_offset = 2.5, max_uncertainty = 0.5;
+/** Less uncertainty than this part of the range is enough, however small that deviation is. */
+constexpr double enough_certainty = 0.0005;
 /** Strips are this many times as far from each other as they are wide. */
 constexpr double min_widths_apart = 15.;
 
@@ -39,14 +41,15 @@ growth (const PlaneMoments& a, const PlaneMoments& b)
   return std::max (growthOf (a), growthOf (b));
 }
 
-/** The standard deviation of where the plane of \a a meets the rays to \a b, in those of
- * the points there. */
-double
-uncertaintyAt (const PlaneMoments& a, const PlaneMoments& b)
+/** Whether it is certain where the plane of \a a meets the rays to \a b. */
+bool
+isKnownAt (const PlaneMoments& a, const PlaneMoments& b)
 {
   const Eigen::Vector3d mean = b.mean();
   const double variance = mean.dot (a.second().inverse() * mean);
-  return std::sqrt (variance * b.weight() / static_cast<double> (b.points));
+  const double of_points = static_cast<double> (b.points) / b.weight();
+  return variance <= std::max (max_uncertainty * max_uncertainty * of_points,
+                               enough_certainty * enough_certainty);
 }
 
 /** The side of the square as wide as the points, across where they reach farthest. */
@@ -67,8 +70,7 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
     const PlaneMoments& larger = planes_[plane];
     const double offset =
         std::abs (parts[part].meanError (larger.inverseDistance())) / max_offset;
-    if (!join_parts || !(offset <= 1.) ||
-        !(uncertaintyAt (larger, parts[part]) <= max_uncertainty))
+    if (!join_parts || !(offset <= 1.) || !isKnownAt (larger, parts[part]))
       return 2.;
     return std::max (growth (larger, parts[part]) / (max_growth * max_growth), offset);
   });

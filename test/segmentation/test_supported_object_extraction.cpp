@@ -376,6 +376,37 @@ TEST (SupportedObjectExtraction, TopsSeenAtAFlatAngle)
       << objects.front().box_size.transpose();
 }
 
+TEST (SupportedObjectExtraction, SidesSeenAtAFlatAngleByPreciseSensors)
+{
+  // Neighbours on one side are many widths of a pixel apart, which is much without noise.
+  Camera camera;
+  camera.width = 1280;
+  camera.image_height = 960;
+  const View view = look (
+      {floor_slab, table, onTable (1.f, 0.3f, {0.1f, 0.1f, 0.12f}, 1.4f)}, camera);
+  Extraction extraction;
+  extraction.setDepthNoise ({0.0001f, 0.f});
+  const Objects objects = extract (extraction, view);
+  EXPECT_EQ (objects.size(), 1u);
+  EXPECT_GT (bestIou (objects, view, 2), 0.97);
+}
+
+TEST (SupportedObjectExtraction, SidesSeenFromStraightAboveAreNoObjects)
+{
+  Camera camera{1.3f, 1.57f};
+  camera.width = 640;
+  camera.image_height = 480;
+  std::vector<Box> boxes{floor_slab, {{0.f, 0.f, 0.66f}, {0.8f, 1.f, 0.04f}}};
+  for (const float x : {-0.08f, 0.08f})
+    for (const float y : {-0.08f, 0.08f})
+      boxes.push_back (onTable (x, y, {0.07f, 0.08f, 0.06f}));
+  for (const float noise : {0.f, 1.f}) {
+    const View view = look (boxes, camera, noise);
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 4u) << noise;
+  }
+}
+
 TEST (SupportedObjectExtraction, WhatStandsBehindATopIsAnother)
 {
   const Box front{{1.6f, 0.f, 0.7f}, {0.1f, 0.1f, 0.1f}};
@@ -420,6 +451,21 @@ TEST (SupportedObjectExtraction, SplitKeepsAConvexObjectWhole)
 {
   const View view =
       look ({floor_slab, table, onTable (1.f, 0.f, {0.15f, 0.15f, 0.15f}, 0.7f)});
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+}
+
+/** Cells of such images are large, and few of them have the points of an object. */
+TEST (SupportedObjectExtraction, SplitKeepsAConvexObjectWholeInLargeImages)
+{
+  Camera camera;
+  camera.width = 1920;
+  camera.image_height = 1080;
+  const View view =
+      look ({floor_slab, table, onTable (1.f, 0.f, {0.15f, 0.15f, 0.15f}, 0.7f)},
+            camera,
+            1.5f);
   Extraction extraction;
   extraction.setSplitAtConcaveEdges (true);
   EXPECT_EQ (extract (extraction, view).size(), 1u);

@@ -17,6 +17,12 @@ namespace rgbd_planes {
  * The defaults are those of kinectV1 (). All presets describe the random error of matt
  * surfaces that face the sensor indoors; sunlight, dark or shiny surfaces and grazing
  * views add to it.
+ *
+ * Of stereo cameras, the quadratic part is the error of disparity by focal length and
+ * baseline, 0.1 px / (640 px * 0.05 m) = 3.1 mm: take what is found for yours, for an error
+ * twice as large as said makes objects of bare tables. For depth without noise, as simulators
+ * give it, and in whole millimetres, take 0.5 mm + 0.5 mm z^2. Below 0.1 mm, single precision
+ * is no longer enough.
  */
 struct DepthNoise {
   /** In metres. */

@@ -7,6 +7,8 @@
 #include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/support_planes.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -70,6 +72,8 @@ private:
   /** \brief What decides whether a cluster is an object, in points. */
   struct Sums {
     std::size_t points = 0;
+    /** The columns and rows in which they lie. */
+    Eigen::AlignedBox2i pixels;
     /** Those that are higher than noise, until they are enough. */
     std::size_t clear = 0;
     /** Those over the hull; counted of what is large and clear. */

@@ -199,8 +199,8 @@ public:
 
   /** \brief Neighbouring points are of one object when they are no further apart than three
    * pixels are wide there, plus this many standard deviations of depth; 0 or more, default
-   * 1. At the same height, as on tops that are seen at a flat angle, they may be as far apart as
-   * one and a half pixels on a level surface. */
+   * 1; or 8 mm at 1 m, if that is more. At the same height, as on tops that are seen at a flat
+   * angle, they may be as far apart as one and a half pixels on a level surface. */
   void
   setClusterTolerance (double sigmas);
 
@@ -211,7 +211,7 @@ public:
   }
 
   /** \brief Objects have at least so many points; default 50, which suits 640 x 480 pixels:
-   * take fewer for smaller images. */
+   * take fewer for smaller images. What is little more than one pixel wide is no object. */
   void
   setMinPoints (unsigned min_points)
   {
