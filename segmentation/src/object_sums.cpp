@@ -70,10 +70,6 @@ ObjectClusters::sumUp()
 void
 ObjectClusters::findSets()
 {
-  const auto pixelOf = [this] (std::uint32_t i) {
-    const int pixel = static_cast<int> (i);
-    return Eigen::Vector2i (pixel % points_.width, pixel / points_.width);
-  };
   for (const PointRun& run : runs_.runs()) {
     const auto k = static_cast<std::uint32_t> (set_of_run_.size());
     const std::uint32_t root = runs_.root (k);
@@ -87,8 +83,10 @@ ObjectClusters::findSets()
       set_of_run_.push_back (set_of_run_[root]);
     Sums& sums = sums_[set_of_run_.back()];
     sums.points += run.length;
-    sums.pixels.extend (pixelOf (run.first));
-    sums.pixels.extend (pixelOf (run.first + run.length - 1));
+    const int first = static_cast<int> (run.first);
+    const Eigen::Vector2i begin (first % points_.width, first / points_.width);
+    sums.pixels.extend (begin);
+    sums.pixels.extend (begin + Eigen::Vector2i (static_cast<int> (run.length) - 1, 0));
   }
 }
 

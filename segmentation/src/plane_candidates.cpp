@@ -74,9 +74,10 @@ PlaneAssignment::findPresentPlanes (std::size_t tiles,
   is_inner_.assign (tiles, 0);
   for (const TilePart& part : parts) {
     first_present_.resize (part.tile + 1, present_.size());
-    if (count (part.own) >= min_samples_in_tile)
+    const std::size_t number = count (part.own);
+    if (number >= min_samples_in_tile)
       present_.push_back (part.plane);
-    is_inner_[part.tile] |= count (part.own) == PlaneSamples::tile_size;
+    is_inner_[part.tile] |= number == PlaneSamples::tile_size;
   }
   first_present_.resize (tiles + 1, present_.size());
 }
