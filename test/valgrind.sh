@@ -30,5 +30,6 @@ check 0 pcl_segment_planes sim:table_single --resolution qqvga --objects --obsta
 check 1 pcl_segment_planes half.pcd --output out2
 check 0 pcl_evaluate_planes sim:table_single --resolution qqvga --json planes.json
 check 0 pcl_evaluate_detection sim:table_single --resolution qqvga --json detection.json
+check 0 pcl_measure_depth_noise "$frame" --json noise.json
 check 0 pcl_evaluate_normals "$frame" --json normals.json --resolution vga
 echo "$runs runs of the applications without an error of memory."

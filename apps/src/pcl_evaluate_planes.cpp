@@ -78,6 +78,7 @@ evaluatePlanes (int argc, char** argv)
       "from 90 degrees, in pairs within 20 degrees of that, or only those with the "
       "floor, the lowest plane of the image");
   addCorrectedOption (own);
+  addDepthNoiseOption (own);
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
@@ -87,7 +88,8 @@ evaluatePlanes (int argc, char** argv)
                               values.count ("without")
                                   ? values["without"].as<std::vector<std::string>>()
                                   : std::vector<std::string>(),
-                              readCorrected (values));
+                              readCorrected (values),
+                              readDepthNoise (values));
   runEvaluation (
       *command,
       [&] (const Frame& frame, OutputFiles& files) {

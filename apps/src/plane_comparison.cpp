@@ -41,11 +41,12 @@ measuredCloud (const Frame& frame, std::uint32_t step)
 PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
                                   const std::optional<RightAngles::Pairs>& right_angles,
                                   const std::vector<std::string>& without,
-                                  const std::optional<CorrectedOption>& corrected)
+                                  const std::optional<CorrectedOption>& corrected,
+                                  const DepthNoise& noise)
 : right_angles_ (right_angles)
 {
   for (const auto step : steps)
-    for (auto& method : planeMethods (without, corrected)) {
+    for (auto& method : planeMethods (without, corrected, noise)) {
       results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}, {}});
       runs_.push_back ({step, std::move (method), {}});
     }

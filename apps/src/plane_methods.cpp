@@ -83,19 +83,21 @@ struct Additions : PlaneAdditions {
 };
 
 PlaneMethod
-normalSpaceMethod (const std::string& name, const Additions& additions)
+normalSpaceMethod (const std::string& name,
+                   const Additions& additions,
+                   const DepthNoise& noise)
 {
   using Estimation =
       pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
   const auto estimation = std::make_shared<Estimation>();
   estimation->setEdgeAware (additions.edges);
+  estimation->setDepthNoise (noise);
+  const auto segmentation = std::make_shared<NormalSpaceMethod> (additions);
+  segmentation->setDepthNoise (noise);
   const auto segment = [] (NormalSpaceMethod& segmentation, SegmentedPlanes& planes) {
     segmentation.segment (planes.models, planes.inliers);
   };
-  return makeMethod (name,
-                     findPlanes (estimation,
-                                 std::make_shared<NormalSpaceMethod> (additions),
-                                 segment));
+  return makeMethod (name, findPlanes (estimation, segmentation, segment));
 }
 
 /** Ours on corrected points. */
@@ -198,12 +200,14 @@ planeAdditionNames ()
 
 std::vector<PlaneMethod>
 planeMethods (const std::vector<std::string>& without,
-              const std::optional<CorrectedOption>& corrected)
+              const std::optional<CorrectedOption>& corrected,
+              const DepthNoise& noise)
 {
-  std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}),
+  std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}, noise),
                                    makeMethod ("pcl_omps", organizedMultiPlanes())};
   for (const std::string& list : without)
-    methods.push_back (normalSpaceMethod ("no_" + list, additionsWithout (list)));
+    methods.push_back (
+        normalSpaceMethod ("no_" + list, additionsWithout (list), noise));
   if (corrected)
     methods.push_back (correctedMethod (*corrected));
   return methods;

@@ -99,6 +99,22 @@ TEST_F (EvaluatePlanes, CorrectedDepth)
   }
 }
 
+TEST_F (EvaluatePlanes, PlanesFallToPiecesWhereLessNoiseIsExpected)
+{
+  std::vector<double> f1;
+  for (const std::string noise : {"kinect_v1", "0.001,0.002", "0.0001,0.0002"}) {
+    ASSERT_EQ (
+        run ("sim:room:1 --resolution qvga --json table.json --depth-noise " + noise)
+            .code,
+        0);
+    f1.push_back (results()[0]["f1_50"]);
+  }
+  EXPECT_EQ (f1[0], f1[1]);
+  EXPECT_LT (f1[2], f1[0] - 0.2);
+  expectRefused ("sim:room --depth-noise kinect_v1 --corrected frame",
+                 "leave out --depth-noise or --corrected");
+}
+
 TEST_F (EvaluatePlanes, FramesOfACameraHaveOneSize)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});

@@ -21,6 +21,7 @@ struct App {
 constexpr App evaluate_detection{EVALUATE_DETECTION, "--json DISK/out.json"};
 constexpr App evaluate_normals{EVALUATE_NORMALS, "--json DISK/out.json"};
 constexpr App evaluate_planes{EVALUATE_PLANES, "--json DISK/out.json"};
+constexpr App measure_depth_noise{MEASURE_DEPTH_NOISE, "--json DISK/out.json"};
 constexpr App segment_planes{
     SEGMENT_PLANES, "--objects --obstacles --output DISK/out --json DISK/out.json"};
 constexpr App simulate_rgbd{
@@ -268,8 +269,11 @@ TEST_P (PrintedInputFaults, ReaderOfTheResultsThatEnds)
 
 namespace {
 
-const auto readers = testing::Values (
-    evaluate_detection, evaluate_normals, evaluate_planes, segment_planes);
+const auto readers = testing::Values (evaluate_detection,
+                                      evaluate_normals,
+                                      evaluate_planes,
+                                      measure_depth_noise,
+                                      segment_planes);
 const auto simulator = testing::Values (simulate_rgbd);
 const auto viewer = testing::Values (plane_viewer);
 

@@ -157,7 +157,7 @@ TEST_F (PlaneViewerApp, BadUsageIsRefused)
   expectRefused ("sim:room --frames 0", "--frames");
   expectRefused ("sim:room --resolution 1k", "vga, qvga or qqvga");
   expectRefused ("sim:room --base-transform 1,2", "x,y,z,roll,pitch,yaw");
-  expectRefused ("sim:room --depth-noise sonar", "or active_stereo");
+  expectRefused ("sim:room --depth-noise sonar", "active_stereo or");
   expectRefused ("sim:room --corrected camera", "pcl_segment_planes writes");
   expectRefused ("sim:room --corrected missing.pcd", "missing.pcd");
   expectRefused ("live:missing.oni", "live:missing.oni: ");

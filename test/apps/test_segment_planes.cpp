@@ -235,7 +235,8 @@ TEST_F (SegmentPlanes, SensorsSeeAsFarAsTheirNoiseSays)
   const std::map<std::string, std::size_t> walls_in_range{{"kinect_v1", 2},
                                                           {"structured_light", 0},
                                                           {"time_of_flight", 1},
-                                                          {"active_stereo", 1}};
+                                                          {"active_stereo", 1},
+                                                          {"0,0.003", 2}};
   for (const auto& [sensor, walls] : walls_in_range) {
     const Outcome result =
         run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale 250 --obstacles "
@@ -317,7 +318,10 @@ TEST_F (SegmentPlanes, BadUsageIsRefused)
   expectRefused (input + camera_ + "--min-inliers 0", "--min-inliers");
   expectRefused (input + camera_ + "--min-inliers many", "--min-inliers");
   expectRefused (input + camera_ + "--resolution xga", "vga, qvga or qqvga");
-  expectRefused (input + camera_ + "--depth-noise sonar", "or active_stereo");
+  expectRefused (input + camera_ + "--depth-noise sonar",
+                 "active_stereo or CONSTANT,QUADRATIC");
+  for (const std::string noise : {"0.001,", "0.001,0.002,3", "0,0", "-0.001,0.002"})
+    expectRefused (input + camera_ + "--depth-noise=" + noise, "--depth-noise: ");
   expectRefused (input + camera_ + "--depth-noise active_stereo --corrected frame",
                  "leave out --depth-noise or --corrected");
   for (const std::string intrinsics : {"1,2,3",

@@ -86,6 +86,21 @@ TEST (PlaneSettings, PreciseSensorsTellSmallSteps)
   EXPECT_EQ (result.models.size(), 1u);
 }
 
+TEST (PlaneSettings, NoisySensorsHaveAWiderThreshold)
+{
+  const pcl::rgbd_planes::DepthNoise noise{0.002f, 0.003f};
+  const Scene scene = render ({tiltedPlane (1.f, 0.f, 30.f)}, 640, 480, [&] (float z) {
+    return noise.sigma (z * z);
+  });
+  Ours segmentation;
+  segmentation.setDepthNoise (noise);
+  EXPECT_NEAR (segmentation.getDistanceThreshold(), 0.01125, 1e-6);
+  Result result;
+  segment (segmentation, scene.cloud, result);
+  ASSERT_EQ (result.models.size(), 1u);
+  EXPECT_GE (result.inliers[0].indices.size(), 0.95 * scene.cloud->size());
+}
+
 TEST (PlaneSettings, ThresholdIsWiderAmidAPlaneThanAtItsBorder)
 {
   const Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 640, 480);

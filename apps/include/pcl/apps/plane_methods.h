@@ -5,6 +5,7 @@
 
 #include <pcl/apps/depth_correction.h>
 #include <pcl/apps/plane_evaluation.h>
+#include <pcl/features/depth_noise.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -59,10 +60,12 @@ planeAdditionNames ();
  * Throws AppError where a name is none of them.
  * \param[in] corrected for ours once more on points that DepthWarpCorrection corrected,
  * "corrected"
+ * \param[in] noise that ours expects of points that are not corrected
  */
 std::vector<PlaneMethod>
 planeMethods (const std::vector<std::string>& without,
-              const std::optional<CorrectedOption>& corrected);
+              const std::optional<CorrectedOption>& corrected,
+              const DepthNoise& noise);
 
 } // namespace rgbd_planes
 } // namespace pcl

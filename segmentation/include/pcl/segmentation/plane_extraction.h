@@ -49,12 +49,13 @@ struct PlaneExtractionParameters {
   PlaneAdditions additions;
 
   /** Its default suits a Kinect and its like, whose planes are bent as well; sensors with
-   * less noise tell smaller steps. */
+   * less noise tell smaller steps, and those with more need more. */
   double
   distanceThreshold () const
   {
+    const double sigma = noise.sigma (1.f);
     return distance_threshold > 0. ? distance_threshold
-                                   : std::min (0.009, 4.5 * noise.sigma (1.f));
+                                   : std::clamp (0.009, 2.25 * sigma, 4.5 * sigma);
   }
 };
 

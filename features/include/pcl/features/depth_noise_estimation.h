@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/console/print.h>
+#include <pcl/features/depth_noise.h>
+#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/features/sensor_points.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Measures the depth noise of a camera on frames of any indoor scene, for setDepthNoise
+ * of normals, planes, objects and obstacles.
+ *
+ * \code
+ * pcl::DepthNoiseEstimation estimation;
+ * estimation.addFrame (*cloud); // some ten frames, with surfaces near and far
+ * pcl::rgbd_planes::DepthNoise noise;
+ * if (estimation.estimate (noise))
+ *   segmentation.setDepthNoise (noise);
+ * \endcode
+ *
+ * A plane is fitted to the inverse ranges in each small block of the image, a fortieth of its
+ * width. Most blocks of a scene see one smooth surface, and leave the noise; at edges and
+ * on small things they leave more. So the first quartile of blocks at similar ranges counts, and
+ * twice that, for larger surfaces come out bent by as much again: on recordings of Kinects,
+ * Xtions and a RealSense this gives what DepthNoise::kinectV1 () and activeStereo () have.
+ *
+ * \ingroup features
+ */
+class PCL_RGBD_PLANES_EXPORTS DepthNoiseEstimation {
+public:
+  /** \brief What blocks at similar ranges leave, in metres. */
+  struct Level {
+    float range;
+    std::size_t blocks;
+    float sigma;
+  };
+
+  /** \brief Adds a frame; false after an error message where it is not organized or empty.
+   * \param[in] cloud in metres, with the place of the sensor as \c sensor_origin_
+   */
+  template <typename PointT>
+  bool
+  addFrame (const pcl::PointCloud<PointT>& cloud)
+  {
+    const std::string fault = rgbd_planes::faultOfImage (cloud);
+    if (!fault.empty()) {
+      PCL_ERROR ("[pcl::DepthNoiseEstimation::addFrame] %s\n", fault.c_str());
+      return false;
+    }
+    addPoints (rgbd_planes::SensorPoints().of (cloud));
+    return true;
+  }
+
+  /** \brief Forgets all frames: for another camera. */
+  void
+  clearFrames ()
+  {
+    frames_ = 0;
+    blocks_.clear();
+  }
+
+  std::size_t
+  getNumberOfFrames () const
+  {
+    return frames_;
+  }
+
+  /** \brief By increasing range, where at least 20 blocks and a hundredth of all are. */
+  std::vector<Level>
+  getLevels () const;
+
+  /** \brief The noise that fits all levels, no less than 0.1 mm + 0.2 mm z^2, with no limit to the
+   * range; false after an error message, and \a noise stays as it is, where there are no levels. */
+  bool
+  estimate (rgbd_planes::DepthNoise& noise) const;
+
+private:
+  void
+  addPoints (const rgbd_planes::OrganizedPoints& points);
+
+  /** Ranges, added up, and standard deviations of blocks. */
+  struct Blocks {
+    double ranges = 0.;
+    std::vector<float> sigmas;
+  };
+
+  std::size_t frames_ = 0;
+  /** By steps of range. */
+  std::map<int, Blocks> blocks_;
+};
+
+} // namespace pcl

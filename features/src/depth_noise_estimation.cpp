@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/features/depth_noise_estimation.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl {
+
+namespace {
+
+using rgbd_planes::OrganizedPoints;
+
+constexpr int blocks_in_a_row = 40, min_side = 8;
+constexpr double min_filled = 0.9;
+/** Cosine of the angle between the normal and the ray: flatter surfaces are left out. */
+constexpr double min_cosine = 0.5;
+/** In metres; beyond that, units are others. */
+constexpr double max_range = 100.;
+/** From one level of ranges to the next. */
+constexpr double range_step = 1.15;
+constexpr std::size_t min_blocks = 20;
+constexpr float for_larger_surfaces = 2.f;
+/** Below this the error of blocks is that of numbers. */
+constexpr float min_sigma = 0.00005f;
+/** How large the constant part may well be where no level is near enough to tell, and how far
+ * off, of their own, levels may be for that. */
+constexpr double usual_constant = 0.001, level_error = 0.2;
+
+struct Block {
+  double range, sigma;
+};
+
+/** Of the measured points of a block, from (\a left, \a top) on, around the plane n with
+ * n . (ray of a point) = 1 / range; none where too few are measured or the plane is seen flatly. */
+std::optional<Block>
+fitBlock (const OrganizedPoints& points, int left, int top, int side)
+{
+  using Vector4 = Eigen::Vector4d;
+  Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double ranges = 0.;
+  int count = 0;
+  for (int v = top; v < top + side; ++v)
+    for (int u = left; u < left + side; ++u) {
+      const float* p = points[static_cast<std::size_t> (v * points.width + u)];
+      if (!rgbd_planes::isMeasured (p))
+        continue;
+      const Eigen::Vector3d point =
+          Eigen::Map<const Eigen::Vector3f> (p).cast<double>();
+      const double range = point.norm();
+      const Vector4 row = point.homogeneous() / range;
+      products.noalias() += row * row.transpose();
+      sum += row.head<3>();
+      ranges += range;
+      ++count;
+    }
+  if (count < min_filled * side * side)
+    return std::nullopt;
+  const Eigen::Matrix3d rays = products.topLeftCorner<3, 3>();
+  const Eigen::Vector3d normal =
+      rays.ldlt().solve (products.topRightCorner<3, 1>().eval());
+  const Eigen::Vector3d middle = sum / sum.norm();
+  const double range = ranges / count;
+  if (!(normal.dot (middle) > min_cosine * normal.norm() && range < max_range))
+    return std::nullopt;
+  const Vector4 residual (normal[0], normal[1], normal[2], -1.);
+  const double squares = std::max (0., residual.dot (products * residual));
+  return Block{range, std::sqrt (squares / (count - 3)) * range * range};
+}
+
+} // namespace
+
+void
+DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
+{
+  ++frames_;
+  const int side = std::max (min_side, points.width / blocks_in_a_row);
+  for (int top = 0; top + side <= points.height; top += side)
+    for (int left = 0; left + side <= points.width; left += side)
+      if (const auto block = fitBlock (points, left, top, side)) {
+        Blocks& similar = blocks_[static_cast<int> (
+            std::floor (std::log (block->range) / std::log (range_step)))];
+        similar.ranges += block->range;
+        similar.sigmas.push_back (static_cast<float> (block->sigma));
+      }
+}
+
+std::vector<DepthNoiseEstimation::Level>
+DepthNoiseEstimation::getLevels() const
+{
+  std::size_t all = 0;
+  for (const auto& [step, blocks] : blocks_)
+    all += blocks.sigmas.size();
+  std::vector<Level> levels;
+  for (const auto& [step, blocks] : blocks_) {
+    const std::size_t count = blocks.sigmas.size();
+    if (count < min_blocks || count < all / 100)
+      continue;
+    std::vector<float> sigmas = blocks.sigmas;
+    const auto quartile = sigmas.begin() + static_cast<std::ptrdiff_t> (count / 4);
+    std::nth_element (sigmas.begin(), quartile, sigmas.end());
+    levels.push_back ({static_cast<float> (blocks.ranges / static_cast<double> (count)),
+                       count,
+                       std::max (*quartile, min_sigma)});
+  }
+  return levels;
+}
+
+bool
+DepthNoiseEstimation::estimate (rgbd_planes::DepthNoise& noise) const
+{
+  const std::vector<Level> levels = getLevels();
+  if (levels.empty()) {
+    PCL_ERROR (
+        "[pcl::DepthNoiseEstimation::estimate] No smooth surfaces in %zu frames: "
+        "add frames that see floor, walls or tables.\n",
+        frames_);
+    return false;
+  }
+  // Least squares of the relative errors of all levels.
+  const double shrink = level_error / usual_constant;
+  Eigen::Matrix2d products = Eigen::Vector2d (shrink * shrink, 0.).asDiagonal();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (const Level& level : levels) {
+    const Eigen::Vector2d row =
+        Eigen::Vector2d (1., level.range * level.range) / level.sigma;
+    products += row * row.transpose();
+    right += row;
+  }
+  Eigen::Vector2d fit = products.ldlt().solve (right);
+  if (fit[0] < 0.)
+    fit = {0., right[1] / products (1, 1)};
+  else if (fit[1] < 0.)
+    fit = {right[0] / products (0, 0), 0.};
+  noise.constant =
+      std::max (for_larger_surfaces * static_cast<float> (fit[0]), 0.0001f);
+  noise.quadratic =
+      std::max (for_larger_surfaces * static_cast<float> (fit[1]), 0.0002f);
+  noise.max_range = std::numeric_limits<float>::infinity();
+  return true;
+}
+
+} // namespace pcl

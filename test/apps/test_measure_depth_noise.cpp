@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "app_test.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+using nlohmann::json;
+
+namespace {
+
+class MeasureDepthNoise : public AppTest {
+protected:
+  MeasureDepthNoise() : AppTest (MEASURE_DEPTH_NOISE) {}
+};
+
+} // namespace
+
+TEST_F (MeasureDepthNoise, OfASimulatedKinect)
+{
+  for (const std::string resolution : {"", " --resolution qvga"}) {
+    const Outcome outcome = run ("sim:room:1 sim:room:2 sim:table_cluttered:1 "
+                                 "sim:table_cluttered:2 --json noise.json" +
+                                 resolution);
+    ASSERT_EQ (outcome.code, 0) << outcome.err;
+    EXPECT_EQ (outcome.err, "");
+    const json noise = json::parse (readFile (folder_ / "noise.json"));
+    EXPECT_NEAR (noise["constant"], 0.001, 0.001);
+    EXPECT_NEAR (noise["quadratic"], 0.002, 0.0004);
+    EXPECT_GE (noise["levels"].size(), 5u);
+    char option[40];
+    std::snprintf (option,
+                   sizeof (option),
+                   "\n--depth-noise %.5f,%.5f\n",
+                   noise["constant"].get<double>(),
+                   noise["quadratic"].get<double>());
+    EXPECT_NE (outcome.out.find (option), std::string::npos) << outcome.out;
+  }
+}
+
+TEST_F (MeasureDepthNoise, WhereNothingIsSeenItSaysSo)
+{
+  pcl::io::savePCDFileBinary (folder_ / "dark.pcd",
+                              pcl::PointCloud<pcl::PointXYZ> (640, 480));
+  expectRefused ("dark.pcd --json noise.json", "no smooth surfaces in any frame");
+  expectRefused ("", "no INPUT given");
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "synthetic_clouds.h"
+
+#include <pcl/common/transforms.h>
+#include <pcl/features/depth_noise_estimation.h>
+#include <pcl/simulation/simulate.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace synthetic;
+using pcl::DepthNoiseEstimation;
+using pcl::rgbd_planes::DepthNoise;
+
+namespace {
+
+/** What a camera sees whose ranges have Gaussian noise. */
+Cloud
+renderNoisy (const std::vector<Surface>& surfaces,
+             const DepthNoise& noise,
+             int width = 640,
+             int height = 480)
+{
+  Cloud cloud = *render (surfaces, width, height).cloud;
+  std::mt19937 generator (1);
+  std::normal_distribution<float> gauss;
+  for (auto& point : cloud) {
+    const float squares = point.getVector3fMap().squaredNorm();
+    point.getVector3fMap() *=
+        1.f + gauss (generator) * noise.sigma (squares) / std::sqrt (squares);
+  }
+  return cloud;
+}
+
+/** Walls from 0.5 to 5 m, of which the lower half of the image sees one, turned by 40 degrees;
+ * a tenth of the blocks see steps. */
+void
+addWalls (const DepthNoise& noise, unsigned step, DepthNoiseEstimation& estimation)
+{
+  for (const float depth : {0.5f, 1.f, 1.5f, 2.f, 3.f, 4.f, 5.f}) {
+    Surface near = tiltedPlane (0.8f * depth, 0.f, 40.f);
+    near.covers = [] (int, int v) { return v > 245; };
+    const Cloud cloud = renderNoisy ({tiltedPlane (depth, 5.f, 10.f), near}, noise);
+    EXPECT_TRUE (estimation.addFrame (*subsample (cloud, step)));
+  }
+}
+
+DepthNoise
+estimate (const DepthNoiseEstimation& estimation)
+{
+  DepthNoise noise;
+  EXPECT_TRUE (estimation.estimate (noise));
+  return noise;
+}
+
+Cloud
+constant (unsigned width, unsigned height, float coordinate)
+{
+  return {width, height, {coordinate, coordinate, coordinate}};
+}
+
+} // namespace
+
+TEST (DepthNoiseEstimation, TwiceTheDeviationOfPixels)
+{
+  for (const DepthNoise& truth : {DepthNoise{0.001f, 0.0002f},
+                                  DepthNoise{0.0005f, 0.0015f},
+                                  DepthNoise{0.f, 0.003f},
+                                  DepthNoise{0.002f, 0.004f}})
+    for (const unsigned step : {1u, 2u}) {
+      DepthNoiseEstimation estimation;
+      addWalls (truth, step, estimation);
+      EXPECT_EQ (estimation.getNumberOfFrames(), 7u);
+      const DepthNoise noise = estimate (estimation);
+      for (const float range : {0.7f, 1.f, 2.f, 4.f})
+        EXPECT_NEAR (noise.sigma (range * range) / truth.sigma (range * range), 2., 0.3)
+            << truth.constant << ' ' << truth.quadratic << " at " << range;
+      EXPECT_EQ (noise.max_range, INFINITY);
+      float last = 0.f;
+      for (const auto& level : estimation.getLevels()) {
+        EXPECT_GT (level.range, last);
+        EXPECT_GE (level.blocks, 20u);
+        EXPECT_NEAR (level.sigma / truth.sigma (level.range * level.range), 1., 0.2);
+        last = level.range;
+      }
+    }
+}
+
+TEST (DepthNoiseEstimation, ASimulatedKinectIsTheFirstPreset)
+{
+  DepthNoiseEstimation estimation;
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    for (const char* scene : {"table_cluttered", "room", "corridor"})
+      estimation.addFrame (
+          *pcl::rgbd_planes::simulate (scene, seed, pcl::rgbd_planes::Sensor::kinect)
+               .cloud);
+  const DepthNoise noise = estimate (estimation), preset = DepthNoise::kinectV1();
+  for (const float range : {1.f, 2.f, 3.f, 5.f})
+    EXPECT_NEAR (noise.sigma (range * range) / preset.sigma (range * range), 1., 0.25)
+        << range;
+}
+
+TEST (DepthNoiseEstimation, WithoutNoiseWhatNumbersAllow)
+{
+  DepthNoiseEstimation estimation;
+  addWalls ({0.f, 0.f}, 1, estimation);
+  const DepthNoise noise = estimate (estimation);
+  EXPECT_EQ (noise.constant, 0.0001f);
+  EXPECT_EQ (noise.quadratic, 0.0002f);
+}
+
+TEST (DepthNoiseEstimation, InAnyFrame)
+{
+  DepthNoiseEstimation estimation, moved;
+  for (const float depth : {1.f, 2.f, 3.f}) {
+    const Cloud cloud =
+        renderNoisy ({tiltedPlane (depth, 20.f, 10.f)}, {0.001f, 0.002f}, 320, 240);
+    estimation.addFrame (cloud);
+    Eigen::Affine3f transform = Eigen::Affine3f::Identity();
+    transform.rotate (Eigen::AngleAxisf (1.f, Eigen::Vector3f (1.f, 2.f, 2.f) / 3.f));
+    transform.translation() << 1.f, -2.f, 0.5f;
+    Cloud in_base;
+    pcl::transformPointCloud (cloud, in_base, transform);
+    in_base.sensor_origin_.head<3>() = transform.translation();
+    moved.addFrame (in_base);
+  }
+  const DepthNoise noise = estimate (estimation), noise_moved = estimate (moved);
+  EXPECT_NEAR (noise_moved.constant, noise.constant, 0.05f * noise.constant);
+  EXPECT_NEAR (noise_moved.quadratic, noise.quadratic, 0.05f * noise.quadratic);
+}
+
+// What is far tells the quadratic part only: the constant one is not made of its curve.
+TEST (DepthNoiseEstimation, FarSurfacesAlone)
+{
+  DepthNoiseEstimation estimation;
+  for (const float depth : {3.f, 3.5f})
+    estimation.addFrame (
+        *render ({tiltedPlane (depth, 5.f, 5.f)}, 640, 480, [] (float z) {
+           return 0.001f * z * z;
+         }).cloud);
+  const DepthNoise noise = estimate (estimation);
+  EXPECT_LT (noise.constant, 0.003f);
+  EXPECT_NEAR (noise.quadratic, 0.002f, 0.0003f);
+}
+
+TEST (DepthNoiseEstimation, BadInput)
+{
+  DepthNoiseEstimation estimation;
+  DepthNoise noise{0.1f, 0.2f, 3.f};
+  EXPECT_FALSE (estimation.addFrame (Cloud()));
+  Cloud unorganized (100, 1);
+  EXPECT_FALSE (estimation.addFrame (unorganized));
+  EXPECT_EQ (estimation.getNumberOfFrames(), 0u);
+  EXPECT_TRUE (estimation.addFrame (Cloud (640, 480))); // all at (0, 0, 0)
+  EXPECT_TRUE (estimation.addFrame (constant (640, 480, synthetic::nan)));
+  EXPECT_TRUE (estimation.addFrame (constant (3, 2, 1.f)));
+  Cloud huge (640, 480);
+  for (std::size_t i = 0; i < huge.size(); ++i)
+    huge[i].getVector3fMap() << 1e30f, -1e30f, (i % 7) * 1e30f;
+  EXPECT_TRUE (estimation.addFrame (huge));
+  EXPECT_EQ (estimation.getNumberOfFrames(), 4u);
+  EXPECT_TRUE (estimation.getLevels().empty());
+  EXPECT_FALSE (estimation.estimate (noise));
+  estimation.clearFrames();
+  EXPECT_EQ (estimation.getNumberOfFrames(), 0u);
+  EXPECT_FALSE (estimation.estimate (noise));
+  EXPECT_EQ (noise.constant, 0.1f);
+  EXPECT_EQ (noise.quadratic, 0.2f);
+  EXPECT_EQ (noise.max_range, 3.f);
+}
