@@ -40,19 +40,17 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
       sectors_[i] = {
           std::cos (right), std::sin (right), std::cos (left), std::sin (left)};
     }
-    column_sectors_.clear();
   }
-  if (column_sectors_.size() != columns) {
-    column_sectors_.assign (columns, sectors_.size() - 1);
-    const std::size_t padded = columns + PointRow::block_size;
-    for (auto* values :
-         {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
-      values->assign (padded, 0.f);
-    columns_.squares.assign (padded, infinity);
-    columns_.x.resize (padded);
-    columns_.y.resize (padded);
-    columns_.strays.assign (wordsFor (columns), 0);
-  }
+  // Columns that kept their sectors would round other sums than in a new object.
+  column_sectors_.assign (columns, sectors_.size() - 1);
+  const std::size_t padded = columns + PointRow::block_size;
+  for (auto* values :
+       {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
+    values->assign (padded, 0.f);
+  columns_.squares.assign (padded, infinity);
+  columns_.x.resize (padded);
+  columns_.y.resize (padded);
+  columns_.strays.assign (wordsFor (columns), 0);
   limits_ = limits;
   squares_.assign (directions + 1, infinity);
 

@@ -774,6 +774,24 @@ TEST (ObstacleDetection, TheScanHasWhatIsKnownLateToBeNoSpeck)
   EXPECT_EQ (detection.getScan().ranges, ranges);
 }
 
+TEST (ObstacleDetection, TheScanDoesNotDependOnFramesBefore)
+{
+  Detection reused;
+  std::vector<Obstacle> obstacles;
+  for (int k = 0; k < 6; ++k) {
+    const float x = 1.f + 0.1f * static_cast<float> (k / 2);
+    const auto sill = box ({x, -3.f, 0.f}, {x + 0.05f, 3.f, 0.06f});
+    const FloorScene scene (
+        only_floor + sill, cameraPose (0.1f, 0.f), 160, kinectSigma);
+    setInput (reused, scene);
+    reused.detect (obstacles);
+    Detection fresh;
+    setInput (fresh, scene);
+    fresh.detect (obstacles);
+    EXPECT_EQ (reused.getScan().ranges, fresh.getScan().ranges) << "frame " << k;
+  }
+}
+
 TEST (ObstacleDetection, AScanOfAlmostAWholeTurnHasEachDirectionOnce)
 {
   // 720 steps of half a degree make a turn; these limits are 719.6 steps apart.
