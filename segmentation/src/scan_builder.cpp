@@ -86,7 +86,7 @@ ScanBuilder::add (const PointRow& row,
 void
 ScanBuilder::closeGaps (const ScanRun& run)
 {
-  // Most runs have more points than directions, which their ends tell.
+  // Most runs have more points than directions, which their ends tell, if they are in range.
   constexpr std::size_t max_pairs = 64;
   const auto stepsBetween = [&] (std::size_t u, std::size_t v) {
     const std::size_t a = column_sectors_[u], b = column_sectors_[v];
@@ -95,7 +95,8 @@ ScanBuilder::closeGaps (const ScanRun& run)
   const std::size_t last = run.end - 1;
   for (std::size_t begin = run.begin; begin < last; begin += max_pairs) {
     const std::size_t end = std::min (begin + max_pairs, last);
-    if (2 * stepsBetween (begin, end) <= end - begin)
+    const bool is_known = column_sectors_[begin] < sectors_.size() - 1;
+    if (is_known && 2 * stepsBetween (begin, end) <= end - begin)
       continue;
     for (std::size_t u = begin; u < end; ++u)
       if (stepsBetween (u, u + 1) > 1)
