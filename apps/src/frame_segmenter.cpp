@@ -60,6 +60,15 @@ planeClass (const std::array<double, 4>& coefficients,
                                                                        : "slope";
 }
 
+void
+FrameSummary::freeIndices()
+{
+  for (auto& object : objects)
+    pcl::Indices().swap (object.indices.indices);
+  for (auto& summary : obstacles)
+    pcl::Indices().swap (summary.obstacle.indices);
+}
+
 FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 : options_ (options)
 , normals_ (new pcl::PointCloud<pcl::Normal>)
@@ -138,6 +147,8 @@ FrameSegmenter::findObjects (const Frame& frame,
   extraction_.setInputNormals (normals_);
   extraction_.extract (coefficients_, inliers_, summary.objects);
   summary.times.objects = watch.milliseconds();
+  for (const auto& object : summary.objects)
+    summary.object_points.push_back (object.indices.indices.size());
 }
 
 void
@@ -162,7 +173,8 @@ FrameSegmenter::findObstacles (const Frame& frame, FrameSummary& summary)
                  .getVector3fMap()
                  .cast<double>();
     const Eigen::Vector3d mean = sum / static_cast<double> (obstacle.indices.size());
-    summary.obstacles.push_back ({obstacle, camera_to_base * mean.cast<float>()});
+    summary.obstacles.push_back (
+        {obstacle, obstacle.indices.size(), camera_to_base * mean.cast<float>()});
   }
 }
 

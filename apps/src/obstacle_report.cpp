@@ -34,11 +34,10 @@ printObstacles (std::ostream& out, const FrameSummary& frame)
          "kind\n";
   constexpr double degrees = 180. / M_PI;
   for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
-    const auto& [obstacle, centroid] = frame.obstacles[id];
+    const auto& [obstacle, points, centroid] = frame.obstacles[id];
     out << boost::format ("%10d %12.3f %15.1f %8.3f %7.3f %7.3f %9d   %s\n") % id %
                obstacle.distance % (degrees * obstacle.direction) % centroid.x() %
-               centroid.y() % centroid.z() % obstacle.indices.size() %
-               kindOf (obstacle);
+               centroid.y() % centroid.z() % points % kindOf (obstacle);
   }
 }
 
@@ -50,10 +49,9 @@ obstaclesCsv (const std::vector<FrameSummary>& frames)
       "nearest_z_m,centroid_x_m,centroid_y_m,centroid_z_m\n";
   for (const auto& frame : frames)
     for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
-      const auto& [obstacle, centroid] = frame.obstacles[id];
+      const auto& [obstacle, points, centroid] = frame.obstacles[id];
       csv += (boost::format ("%s,%d,%s,%d,%.6g,%.6g") % csvText (frame.name) % id %
-              kindOf (obstacle) % obstacle.indices.size() % obstacle.distance %
-              obstacle.direction)
+              kindOf (obstacle) % points % obstacle.distance % obstacle.direction)
                  .str() +
              csvFields (obstacle.nearest) + csvFields (centroid) + '\n';
     }
@@ -90,9 +88,9 @@ obstaclesJson (const FrameSummary& frame)
     const Eigen::Vector4f values = frame.camera_to_base->matrix().row (row);
     pose.push_back ({values[0], values[1], values[2], values[3]});
   }
-  for (const auto& [obstacle, centroid] : frame.obstacles)
+  for (const auto& [obstacle, points, centroid] : frame.obstacles)
     obstacles.push_back ({{"kind", kindOf (obstacle)},
-                          {"points", obstacle.indices.size()},
+                          {"points", points},
                           {"distance_m", obstacle.distance},
                           {"direction_rad", obstacle.direction},
                           {"nearest_m", toJson (obstacle.nearest)},

@@ -6,7 +6,6 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/output_files.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -67,10 +66,7 @@ OutputFiles::add (const fs::path& name)
   if (name == "-") // which asks for standard output elsewhere
     throw AppError ("-: standard output has the tables; give the name of a file");
   const fs::path path = placeOf (name);
-  const bool known = std::any_of (files_.begin(), files_.end(), [&] (const File& file) {
-    return file.path == path;
-  });
-  if (known)
+  if (place_of_path_.count (path))
     throw AppError (name.string() +
                     ": two results of this run would be in this file; choose another "
                     "name for one of them");
@@ -82,6 +78,7 @@ OutputFiles::add (const fs::path& name)
                     ": is there and no regular file; choose another name");
   const std::string temporary =
       "." + path.filename().string() + "." + std::to_string (::getpid()) + ".part";
+  place_of_path_.emplace (path, files_.size());
   files_.push_back ({path, path.parent_path() / temporary});
   return files_.back();
 }
@@ -97,11 +94,10 @@ OutputFiles::reserve (const fs::path& name)
 void
 OutputFiles::write (const fs::path& name, const std::string& contents)
 {
-  const auto reserved = std::find_if (
-      files_.begin(), files_.end(), [path = placeOf (name)] (const File& file) {
-        return file.is_reserved && file.path == path;
-      });
-  File& file = reserved != files_.end() ? *reserved : add (name);
+  const auto known = place_of_path_.find (placeOf (name));
+  const bool is_reserved =
+      known != place_of_path_.end() && files_[known->second].is_reserved;
+  File& file = is_reserved ? files_[known->second] : add (name);
   file.is_reserved = false;
   fill (file, contents);
 }
@@ -128,6 +124,7 @@ OutputFiles::commit()
       throw AppError (files_.back().path.string() + ": cannot write this file: " +
                       error.message() + "; choose another place");
   }
+  place_of_path_.clear();
   created_folders_.clear();
 }
 

@@ -181,6 +181,7 @@ segmentFrames (const std::vector<FrameSource>& source,
     summaries.push_back (segmenter.segment (frame));
     if (options.output)
       writeFrame (options, frame, segmenter, summaries.back(), files);
+    summaries.back().freeIndices();
   });
   if (options.output && options.corrected &&
       options.corrected->source == WarpSource::camera) {

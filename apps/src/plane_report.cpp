@@ -57,10 +57,10 @@ toJson (const Eigen::Vector3f& vector)
 }
 
 Json
-toJson (const pcl::SupportedObject& object)
+toJson (const pcl::SupportedObject& object, std::size_t points)
 {
   return {{"plane", object.support},
-          {"points", object.indices.indices.size()},
+          {"points", points},
           {"graspable", object.graspable},
           {"truncated", object.truncated},
           {"centroid_m", toJson (object.centroid)},
@@ -89,8 +89,8 @@ toJson (const FrameSummary& frame)
                        {"class", plane.plane_class}});
   }
   Json objects = Json::array();
-  for (const auto& object : frame.objects)
-    objects.push_back (toJson (object));
+  for (std::size_t id = 0; id < frame.objects.size(); ++id)
+    objects.push_back (toJson (frame.objects[id], frame.object_points[id]));
   Json json{{"frame", frame.name},
             {"width", frame.width},
             {"height", frame.height},
@@ -153,7 +153,7 @@ printObjects (std::ostream& out, const FrameSummary& frame)
     out << boost::format (
                "%8d %10d %8.3f %7.3f %7.3f %8.1f x %5.1f x %5.1f %8d   %s\n") %
                id % object.support % at.x() % at.y() % at.z() % cm.x() % cm.y() %
-               cm.z() % object.indices.indices.size() %
+               cm.z() % frame.object_points[id] %
                (object.truncated   ? "no, truncated"
                 : object.graspable ? "yes"
                                    : "no");
@@ -172,7 +172,7 @@ objectsCsv (const std::vector<FrameSummary>& frames)
       const auto& object = frame.objects[id];
       csv += csvText (frame.name) + ',' + std::to_string (id) + ',' +
              std::to_string (object.support) + ',' +
-             std::to_string (object.indices.indices.size()) +
+             std::to_string (frame.object_points[id]) +
              (object.graspable ? ",1" : ",0");
       const Eigen::Vector3f vectors[] = {object.centroid,
                                          object.box_center,

@@ -40,19 +40,17 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
       sectors_[i] = {
           std::cos (right), std::sin (right), std::cos (left), std::sin (left)};
     }
-    column_sectors_.clear();
   }
-  if (column_sectors_.size() != columns) {
-    column_sectors_.assign (columns, sectors_.size() - 1);
-    const std::size_t padded = columns + PointRow::block_size;
-    for (auto* values :
-         {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
-      values->assign (padded, 0.f);
-    columns_.squares.assign (padded, infinity);
-    columns_.x.resize (padded);
-    columns_.y.resize (padded);
-    columns_.strays.assign (wordsFor (columns), 0);
-  }
+  // Columns that kept their sectors would round other sums than in a new object.
+  column_sectors_.assign (columns, sectors_.size() - 1);
+  const std::size_t padded = columns + PointRow::block_size;
+  for (auto* values :
+       {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
+    values->assign (padded, 0.f);
+  columns_.squares.assign (padded, infinity);
+  columns_.x.resize (padded);
+  columns_.y.resize (padded);
+  columns_.strays.assign (wordsFor (columns), 0);
   limits_ = limits;
   squares_.assign (directions + 1, infinity);
 
@@ -88,7 +86,7 @@ ScanBuilder::add (const PointRow& row,
 void
 ScanBuilder::closeGaps (const ScanRun& run)
 {
-  // Most runs have more points than directions, which their ends tell.
+  // Most runs have more points than directions, which their ends tell, if they are in range.
   constexpr std::size_t max_pairs = 64;
   const auto stepsBetween = [&] (std::size_t u, std::size_t v) {
     const std::size_t a = column_sectors_[u], b = column_sectors_[v];
@@ -97,7 +95,8 @@ ScanBuilder::closeGaps (const ScanRun& run)
   const std::size_t last = run.end - 1;
   for (std::size_t begin = run.begin; begin < last; begin += max_pairs) {
     const std::size_t end = std::min (begin + max_pairs, last);
-    if (2 * stepsBetween (begin, end) <= end - begin)
+    const bool is_known = column_sectors_[begin] < sectors_.size() - 1;
+    if (is_known && 2 * stepsBetween (begin, end) <= end - begin)
       continue;
     for (std::size_t u = begin; u < end; ++u)
       if (stepsBetween (u, u + 1) > 1)

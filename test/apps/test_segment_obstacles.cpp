@@ -3,6 +3,9 @@
 
 #include "app_test.h"
 
+#include <pcl/apps/frame_segmenter.h>
+#include <pcl/apps/obstacle_report.h>
+#include <pcl/apps/plane_report.h>
 #include <pcl/simulation/simulate.h>
 
 #include <gtest/gtest.h>
@@ -309,4 +312,35 @@ TEST_F (SegmentObstacles, BadInputLeavesNothing)
   std::filesystem::create_directories (folder_ / "taken/obstacles.csv");
   expectRefused ("sim:floor_obstacles --obstacles --output taken", "no regular file");
   EXPECT_EQ (listFolder (folder_ / "taken"), std::vector<std::string>{"obstacles.csv"});
+}
+
+TEST (FrameSummary, NeedsNoIndicesForItsReports)
+{
+  InputOptions input;
+  input.input = "sim:table_cluttered";
+  input.step = 4;
+  SegmenterOptions options;
+  options.find_objects = options.find_obstacles = true;
+  FrameSegmenter segmenter (options);
+  std::vector<FrameSummary> frames{segmenter.segment (FrameSource (input).read (0))};
+  const auto& objects = frames[0].objects;
+  const auto& obstacles = frames[0].obstacles;
+  ASSERT_FALSE (objects.empty());
+  ASSERT_FALSE (obstacles.empty());
+  const auto reports = [&] {
+    std::ostringstream lists;
+    printObjects (lists, frames[0]);
+    printObstacles (lists, frames[0]);
+    return lists.str() + objectsCsv (frames) + obstaclesCsv (frames) +
+           resultJson (input, frames);
+  };
+  const std::string expected = reports();
+  EXPECT_EQ (objects[0].indices.indices.size(), frames[0].object_points[0]);
+  EXPECT_EQ (obstacles[0].obstacle.indices.size(), obstacles[0].points);
+  frames[0].freeIndices();
+  EXPECT_EQ (reports(), expected);
+  for (const auto& object : objects)
+    EXPECT_EQ (object.indices.indices.capacity(), 0u);
+  for (const auto& summary : obstacles)
+    EXPECT_EQ (summary.obstacle.indices.capacity(), 0u);
 }

@@ -757,6 +757,31 @@ TEST (ObstacleDetection, TheScanOfAnObstacleHasNoGapsWherePixelsAreWiderThanItsS
   }
 }
 
+TEST (ObstacleDetection, TheScanOfAWallHasNoGapsWhoseEndsAreOutOfRange)
+{
+  // What is in range lies between two columns that are 64 apart.
+  Eigen::Affine3f turned = cameraPose (1.5f, 0.f);
+  turned.prerotate (Eigen::AngleAxisf (0.105f, Eigen::Vector3f::UnitZ()));
+  const auto wall = box ({2.f, -4.f, 0.f}, {2.1f, 4.f, 4.f});
+  const FloorScene scene (only_floor + wall, turned);
+  Detection detection;
+  setInput (detection, scene);
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_increment = 0.002f;
+  limits.range_max = 2.f / std::cos (0.13f);
+  detection.setScanLimits (limits);
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  const auto& ranges = detection.getScan().ranges;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const float angle =
+        limits.angle_min + static_cast<float> (i) * limits.angle_increment;
+    if (std::abs (angle) < 0.12f) {
+      EXPECT_NEAR (ranges[i] * std::cos (angle), 2.f, 0.01f) << angle;
+    }
+  }
+}
+
 TEST (ObstacleDetection, TheScanHasWhatIsKnownLateToBeNoSpeck)
 {
   const FloorScene scene (only_floor + a_box, pose, 320);
@@ -772,6 +797,24 @@ TEST (ObstacleDetection, TheScanHasWhatIsKnownLateToBeNoSpeck)
   ASSERT_EQ (found.size(), 1u);
   EXPECT_EQ (found[0].nearest, expected[0].nearest);
   EXPECT_EQ (detection.getScan().ranges, ranges);
+}
+
+TEST (ObstacleDetection, TheScanDoesNotDependOnFramesBefore)
+{
+  Detection reused;
+  std::vector<Obstacle> obstacles;
+  for (int k = 0; k < 6; ++k) {
+    const float x = 1.f + 0.1f * static_cast<float> (k / 2);
+    const auto sill = box ({x, -3.f, 0.f}, {x + 0.05f, 3.f, 0.06f});
+    const FloorScene scene (
+        only_floor + sill, cameraPose (0.1f, 0.f), 160, kinectSigma);
+    setInput (reused, scene);
+    reused.detect (obstacles);
+    Detection fresh;
+    setInput (fresh, scene);
+    fresh.detect (obstacles);
+    EXPECT_EQ (reused.getScan().ranges, fresh.getScan().ranges) << "frame " << k;
+  }
 }
 
 TEST (ObstacleDetection, AScanOfAlmostAWholeTurnHasEachDirectionOnce)

@@ -68,6 +68,7 @@ planeClass (const std::array<double, 4>& coefficients,
 
 struct ObstacleSummary {
   Obstacle obstacle;
+  std::size_t points = 0;
   /** The mean of its points in the base frame. */
   Eigen::Vector3f centroid;
 };
@@ -85,6 +86,8 @@ struct FrameSummary {
   std::vector<PlaneSummary> planes;
   /** Where options ask for them. */
   std::vector<pcl::SupportedObject> objects;
+  /** The number of points of each object. */
+  std::vector<std::size_t> object_points;
   /** Where options ask for them, by increasing distance. */
   std::vector<ObstacleSummary> obstacles;
   VirtualScan scan;
@@ -93,6 +96,11 @@ struct FrameSummary {
   /** Where the camera was taken to be; nothing where that is unknown and there is no
    * plane to estimate it from. */
   std::optional<Eigen::Affine3f> camera_to_base;
+
+  /** \brief Frees the indices of the points of objects and obstacles, a megabyte in some
+   * frames; all that reports tell stays. */
+  void
+  freeIndices ();
 };
 
 /** \brief Finds the planes of one frame after the other, objects on them, and obstacles. */

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -63,6 +65,8 @@ private:
 
   std::set<std::filesystem::path> protected_;
   std::vector<File> files_;
+  /** Where each path is among the files: recordings have a hundred thousand. */
+  std::map<std::filesystem::path, std::size_t> place_of_path_;
   std::vector<std::filesystem::path> created_folders_;
 };
 
