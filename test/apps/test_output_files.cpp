@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ctime>
 
 using namespace pcl::rgbd_planes;
 using Names = std::vector<std::string>;
@@ -116,20 +115,4 @@ TEST (OutputFiles, ImpossiblePlacesAreRefused)
   EXPECT_THROW (files.write (folder / "nothing/file", ""), AppError);
   EXPECT_THROW (files.write ("/dev/null", ""), AppError);
   EXPECT_THROW (files.write ("/dev/full", ""), AppError);
-}
-
-TEST (OutputFiles, ManyFilesTakeNotMoreTimeEach)
-{
-  const TemporaryFolder folder;
-  OutputFiles files;
-  auto secondsForMore = [&, number = 0] () mutable {
-    const std::clock_t start = std::clock();
-    for (const int end = number + 2000; number < end; ++number)
-      files.write (folder / std::to_string (number), "");
-    return static_cast<double> (std::clock() - start) / CLOCKS_PER_SEC;
-  };
-  const double first = secondsForMore();
-  for (int i = 0; i < 3; ++i)
-    secondsForMore();
-  EXPECT_LT (secondsForMore(), 2.5 * first);
 }
