@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-
 using namespace pcl::rgbd_planes;
 using Names = std::vector<std::string>;
 
