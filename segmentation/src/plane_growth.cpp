@@ -177,11 +177,7 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
                       std::size_t number) const
 {
   double sums[10];
-  sumSamples (samples,
-              tiles,
-              claimed_.data(),
-              {reference_[0], reference_[1], reference_[2]},
-              sums);
+  sumSamples (samples, tiles, claimed_.data(), reference_.data(), sums);
   shiftSums (reference_, sums);
   PlaneMoments moments;
   moments.add (sums, number);
@@ -194,11 +190,7 @@ PlaneGrowth::isCurved (const PlaneSamples& samples) const
   if (!additions_.curved)
     return false;
   double sums[22];
-  sumNormals (samples,
-              tiles_,
-              claimed_.data(),
-              {reference_[0], reference_[1], reference_[2]},
-              sums);
+  sumNormals (samples, tiles_, claimed_.data(), reference_.data(), sums);
   const SurfaceTurn turn = turnOf (sums, plane_.normal);
   return turn.over_all > max_turn + max_turn_per_metre * reference_.norm() ||
          (turn.per_metre > max_bend && turn.over_all > min_bent_turn);
