@@ -65,13 +65,16 @@ PlaneGrowth::grow (PlaneSamples& samples,
                    const Eigen::Vector3f& mean_normal)
 {
   PlaneMoments moments = fitSeed (samples, seed);
+  Eigen::Vector3d m = moments.inverseDistance();
   if (additions_.peaks && moments.points > 3 &&
-      moments.meanSquaredError (moments.inverseDistance()) > max_seed_error)
+      moments.meanSquaredError (m) > max_seed_error) {
     moments = keepLevel (samples, moments);
+    m = moments.inverseDistance();
+  }
   if (static_cast<double> (moments.points) <
       std::max (3., min_seed_share * min_points_))
     return Result::claimed_by_larger;
-  Plane plane = planeOf (moments.inverseDistance());
+  Plane plane = planeOf (m);
   if (!(std::abs (plane.normal.dot (mean_normal)) >= min_start_cosine)) {
     const float d = -mean_normal.dot (moments.mean().cast<float>());
     plane = {d < 0.f ? Eigen::Vector3f (-mean_normal) : mean_normal, std::abs (d)};

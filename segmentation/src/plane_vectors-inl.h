@@ -196,12 +196,6 @@ struct Sums {
   }
 };
 
-HWY_INLINE double
-total (V value)
-{
-  return hn::GetLane (hn::SumOfLanes (Floats(), value));
-}
-
 HWY_INLINE void
 totals (const Sums& sums, double* results)
 {
