@@ -32,7 +32,7 @@ case $way in
     mkdir "$work/build"
     export PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig
     # shellcheck disable=SC2046
-    c++ "$work/planes.cpp" -o "$work/build/planes" \
+    c++ ${CXXFLAGS:-} "$work/planes.cpp" -o "$work/build/planes" \
       $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io)
     export LD_LIBRARY_PATH=$prefix/$libdir
     ;;
