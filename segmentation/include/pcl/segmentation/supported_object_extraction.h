@@ -67,17 +67,16 @@ struct SupportedObject {
  * under a higher supporting plane (legs of a table), on a plane much of which is elsewhere
  * (the wall behind a table), or mostly ends at something nearer above it in the image, for
  * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
- * of a wall. What touches such a wall is an object if a quarter of its points
- * stand out from it, by five standard deviations of depth. A thing on a thing is one object with
- * it, but for setSplitAtConcaveEdges().
+ * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
+ * by five standard deviations of depth. A thing on a thing is one object with it, but for
+ * setSplitAtConcaveEdges().
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the
- * sensor, as CameraToBase sets it), and the planes
- * that NormalSpacePlaneSegmentation or another segmentation found in it. NaN, Inf and (0, 0, 0)
- * mean missing depth. With indices, only these points can be of objects. Output: objects in
- * the order of their first points, parts of what was split one after the other; replaced,
- * not appended to.
+ * sensor, as CameraToBase sets it), and the planes that NormalSpacePlaneSegmentation or another
+ * segmentation found in it. NaN, Inf and (0, 0, 0) mean missing depth. With indices, only these
+ * points can be of objects. Output: objects in the order of their first points, parts of what
+ * was split one after the other; replaced, not appended to.
  *
  * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
  * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
@@ -117,8 +116,9 @@ public:
   }
 
   /** \brief From the frame of the cloud to that of the robot: x forward, y left, z up, heights
-   * count from z = 0. Rigid. Default: the camera looks forward along x, without tilt, and is
-   * 2 cm to the left of the origin, at height 0 (section 3 of the paper). */
+   * count from z = 0. Default: the camera looks forward along x, without tilt, and is
+   * 2 cm to the left of the origin, at height 0 (section 3 of the paper). A transform that is not
+   * rigid: an error message, and the one before stays. */
   void
   setCameraToBase (const Eigen::Affine3f& camera_to_base)
   {
