@@ -13,6 +13,9 @@ install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfig.cmake
 install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${config_dir}
         COMPONENT development)
 
+# Who gets the library gets its licence.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/pcl_rgbd_planes.pc.in ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc

@@ -32,6 +32,7 @@ cd /
 /usr/bin/pcl_segment_planes sim:table_single --resolution qqvga --output "$work/out" >/dev/null
 [ -s "$work/out/result.json" ]
 pkg-config --exists pcl_rgbd_planes
+cmp "$source/LICENSE" /usr/share/doc/pcl_rgbd_planes/LICENSE
 for block in cmake:CMakeLists.txt cpp:planes.cpp; do # of README.md, the first of each
   sed -n "/^\`\`\`${block%%:*}$/,/^\`\`\`$/{/^\`\`\`/!p;/^\`\`\`$/q}" "$source/README.md" \
     >"$work/${block#*:}"

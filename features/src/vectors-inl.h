@@ -50,6 +50,12 @@ dot (const Vectors& a, const Vectors& b)
   return hn::MulAdd (a.x, b.x, hn::MulAdd (a.y, b.y, hn::Mul (a.z, b.z)));
 }
 
+HWY_INLINE float
+total (V value)
+{
+  return hn::GetLane (hn::SumOfLanes (Floats(), value));
+}
+
 HWY_INLINE Vectors
 operator- (const Vectors& a, const Vectors& b)
 {

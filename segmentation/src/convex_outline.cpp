@@ -27,20 +27,18 @@ cross (const Vector2f& a, const Vector2f& b, const Vector2f& c)
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/** Appends the border of sorted points that turns one way: the lower one for \a side 1,
- * the upper one for -1; both from left to right. */
+/** Appends a point to a border that turns one way, to the left for \a side 1 and to the right
+ * for -1. Points at which it would not are dropped, but for the first \a fixed ones. */
 void
-appendChain (const std::vector<Vector2f>& sorted,
-             float side,
-             std::vector<Vector2f>& chain)
+append (const Vector2f& point,
+        float side,
+        std::size_t fixed,
+        std::vector<Vector2f>& border)
 {
-  chain.clear();
-  for (const auto& point : sorted) {
-    while (chain.size() > 1 &&
-           side * cross (chain[chain.size() - 2], chain.back(), point) <= 0.f)
-      chain.pop_back();
-    chain.push_back (point);
-  }
+  while (border.size() > fixed &&
+         side * cross (border[border.size() - 2], border.back(), point) <= 0.f)
+    border.pop_back();
+  border.push_back (point);
 }
 
 void
@@ -90,16 +88,11 @@ convexHull (std::vector<Vector2f>& points, std::vector<Vector2f>& corners)
     return;
   dropInnerPoints (points);
   sortByX (points);
-  std::size_t fixed = 1; // corners that the chain at hand cannot drop
-  const auto add = [&] (const Vector2f& point) {
-    while (corners.size() > fixed &&
-           cross (corners[corners.size() - 2], corners.back(), point) <= 0.f)
-      corners.pop_back();
-    corners.push_back (point);
-  };
-  std::for_each (points.begin(), points.end(), add);
-  fixed = corners.size();
-  std::for_each (points.rbegin(), points.rend(), add);
+  for (const auto& point : points)
+    append (point, 1.f, 1, corners);
+  const std::size_t lower = corners.size();
+  for (auto point = points.rbegin(); point != points.rend(); ++point)
+    append (*point, 1.f, lower, corners);
   if (corners.size() > 1)
     corners.pop_back(); // the first one again
 }
@@ -125,10 +118,13 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
     for (const auto& offset : disc)
       grown_.push_back (corner + offset);
   sortByX (grown_);
-  appendChain (grown_, 1.f, lower_.points);
-  appendChain (grown_, -1.f, upper_.points);
-  for (const auto& point : grown_)
+  lower_.points.clear();
+  upper_.points.clear();
+  for (const auto& point : grown_) {
+    append (point, 1.f, 1, lower_.points);
+    append (point, -1.f, 1, upper_.points);
     bounds_.extend (point);
+  }
   const float left = bounds_.min().x(), right = bounds_.max().x();
   steps_per_unit_ = right > left ? index_steps / (right - left) : 0.f;
   lower_.index (left, steps_per_unit_);

@@ -95,11 +95,7 @@ CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
         weights_[begin + k] = on >> k & 1u ? samples.weight[begin + k] : 0.f;
     }
     double sums[22];
-    sumNormals (samples,
-                tiles_,
-                weights_.data(),
-                {reference[0], reference[1], reference[2]},
-                sums);
+    sumNormals (samples, tiles_, weights_.data(), reference.data(), sums);
     return turnOf (sums, plane.normal);
   };
   const SurfaceTurn all = turnWhere ([&] (std::uint32_t tile) -> unsigned {

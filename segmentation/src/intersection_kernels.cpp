@@ -41,8 +41,7 @@ countSidesHere (const PointBlock& points,
 {
   SideCounts counts;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
-    const Mask own =
-        hn::RebindMask (Floats(), hn::Eq (loadInts (labels + i), setInts (label)));
+    const Mask own = areLabel (labels + i, label);
     const Reach reach = reachOf (load (points, i), noise, max_sigmas);
     const Mask clear = hn::AndNot (isWithin (reach, other, off_share),
                                    hn::And (own, isWithin (reach, plane, on_share)));
@@ -78,9 +77,7 @@ splitPointsHere (const PointBlock& points,
     const auto side = hn::IfThenElse (
         hn::RebindMask (Ints(), a_is_nearer), label_where_a_is_nearer, label_elsewhere);
     const auto result = hn::IfThenElse (hn::RebindMask (Ints(), on_both), side, label);
-    hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), result),
-                hn::RebindToUnsigned<Floats>(),
-                labels + i);
+    storeInts (result, labels + i);
   }
 }
 
@@ -92,12 +89,10 @@ dropUnclearHere (const PointBlock& points,
                  const DepthNoise& noise,
                  float max_sigmas,
                  SeenPlane seen,
-                 std::uint32_t none,
                  std::uint32_t* labels)
 {
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
-    const auto before = loadInts (labels + i);
-    const Mask own = hn::RebindMask (Floats(), hn::Eq (before, setInts (label)));
+    const Mask own = areLabel (labels + i, label);
     const Reach reach = reachOf (load (points, i), noise, max_sigmas);
     // The inverses of the ranges of both planes, relative to that of the point, times both
     // of their distances to the sensor: where negative, a plane is infinitely far away.
@@ -107,11 +102,11 @@ dropUnclearHere (const PointBlock& points,
     const V ahead = seen == SeenPlane::nearer ? a_is_nearer : hn::Neg (a_is_nearer);
     const V gap = hn::Mul (hn::Mul (set (clear_share), reach.limit), hn::Mul (a, b));
     const Mask clear = hn::Ge (hn::Mul (ahead, reach.range), gap);
-    const auto result = hn::IfThenElse (
-        hn::RebindMask (Ints(), hn::AndNot (clear, own)), setInts (none), before);
-    hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), result),
-                hn::RebindToUnsigned<Floats>(),
-                labels + i);
+    const auto result =
+        hn::IfThenElse (hn::RebindMask (Ints(), hn::AndNot (clear, own)),
+                        setInts (unlabelled),
+                        loadInts (labels + i));
+    storeInts (result, labels + i);
   }
 }
 
@@ -163,11 +158,10 @@ dropUnclear (const PointBlock& points,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
-             std::uint32_t none,
              std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (dropUnclearHere)
-  (points, label, plane, other, noise, max_sigmas, seen, none, labels);
+  (points, label, plane, other, noise, max_sigmas, seen, labels);
 }
 
 } // namespace rgbd_planes

@@ -24,16 +24,17 @@ void
 sumNormalsHere (const PlaneSamples& samples,
                 const std::vector<std::uint32_t>& tiles,
                 const float* claimed,
-                const double (&reference)[3],
+                const double* reference,
                 double (&sums)[22])
 {
+  const Points origin = setPoint (reference);
   Sums all;
   V normals[12];
   for (V& value : normals)
     value = hn::Zero (Floats());
   forEachVector (tiles, [&] (std::size_t i) {
     const V weight = hn::IfThenElseZero (isTrusted (samples, i), load (claimed + i));
-    const Points p = relativePoints (samples, i, reference);
+    const Points p = pointsAt (samples, i) - origin;
     all.add (p, weight);
     const Points n = normalsAt (samples, i);
     const V components[3] = {n.x, n.y, n.z};
@@ -108,7 +109,7 @@ void
 sumNormals (const PlaneSamples& samples,
             const std::vector<std::uint32_t>& tiles,
             const float* claimed,
-            const double (&reference)[3],
+            const double* reference,
             double (&sums)[22])
 {
   HWY_DYNAMIC_DISPATCH (sumNormalsHere) (samples, tiles, claimed, reference, sums);

@@ -32,9 +32,10 @@ ObjectClusters::compute (const OrganizedPoints& points,
                          const ObjectParameters& parameters)
 {
   points_ = points;
+  width_ = static_cast<std::uint32_t> (points.width);
   supports_ = &supports;
   parameters_ = parameters;
-  runs_.start (static_cast<std::size_t> (points.width));
+  runs_.start (width_);
   set_of_run_.clear();
   sums_.clear();
   if (!supports.planes().empty()) {
@@ -132,7 +133,8 @@ void
 ObjectClusters::settleRow (std::uint32_t first,
                            const std::vector<std::uint8_t>& selected)
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
+  const std::uint32_t width =
+      width_; // bytes that are written could be those of the member
   const std::uint8_t* is_background = &is_background_[first];
   std::uint8_t* place = &place_[first];
   for (std::uint32_t u = 0; u < width; ++u)
@@ -151,13 +153,12 @@ ObjectClusters::settleRow (std::uint32_t first,
 ObjectClusters::Place
 ObjectClusters::settle (std::uint32_t i, std::size_t base) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
   const float* p = points_[i];
   if (bases_[base]->outline.contains (bases_[base]->project (p)))
     return isUnder (base, p) ? outside : static_cast<Place> (above + base);
   while (++base < bases_.size()) {
     const Plane& plane = bases_[base]->plane;
-    const float height = heightAbove (*bases_[base], i / width, i % width);
+    const float height = heightAbove (*bases_[base], i / width_, i % width_);
     if (!(std::fabs (height) <= parameters_.max_object_height))
       continue;
     // Outside of the hull it makes no difference.
@@ -173,9 +174,8 @@ ObjectClusters::settle (std::uint32_t i, std::size_t base) const
 ObjectClusters::Place
 ObjectClusters::settleBeside (std::uint32_t i) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
   for (std::size_t base = 0; base < bases_.size(); ++base) {
-    const float height = heightAbove (*bases_[base], i / width, i % width);
+    const float height = heightAbove (*bases_[base], i / width_, i % width_);
     if (height > 0.f && height <= parameters_.max_object_height &&
         bases_[base]->surroundings.contains (bases_[base]->project (points_[i])))
       return static_cast<Place> (above + base);
@@ -199,8 +199,7 @@ ObjectClusters::heightAbove (const SupportPlane& support,
                              std::uint32_t v,
                              std::uint32_t u) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  return support.plane.distance (points_[v * width + u]) -
+  return support.plane.distance (points_[v * width_ + u]) -
          support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
 }
 
@@ -209,13 +208,12 @@ ObjectClusters::heightAbove (const SupportPlane& support,
 std::size_t
 ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
   const auto height = static_cast<std::uint32_t> (points_.height);
-  const std::uint32_t margin_u = width / margins + 1, margin_v = height / margins + 1;
-  const std::uint32_t u = run.first % width, v = run.first / width;
+  const std::uint32_t margin_u = width_ / margins + 1, margin_v = height / margins + 1;
+  const std::uint32_t u = run.first % width_, v = run.first / width_;
   const std::uint32_t end = run.first + run.length;
   const bool is_near = step == -1               ? u < margin_u
-                       : step == 1              ? u + run.length + margin_u > width
+                       : step == 1              ? u + run.length + margin_u > width_
                        : step == -points_.width ? v < margin_v
                                                 : v + margin_v >= height;
   if (!is_near)

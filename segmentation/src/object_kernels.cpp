@@ -11,6 +11,7 @@
 
 #include <pcl/segmentation/support_planes.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -19,14 +20,6 @@ namespace pcl {
 namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
-
-/** Whether points are neither (0, 0, 0) nor NaN or infinite. */
-HWY_INLINE Mask
-isMeasured (V squared_range)
-{
-  return hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
-                  hn::Le (squared_range, set (std::numeric_limits<float>::max())));
-}
 
 /** Points in the axes of a supporting plane. */
 struct Projected {
@@ -91,9 +84,11 @@ placesOf (const Points& p,
   const V squared_range = squaredLength (p);
   const V noise =
       hn::Mul (set (plane_sigmas), sigmaOf (parameters.noise, squared_range));
-  const float farthest = parameters.noise.max_range * parameters.noise.max_range;
-  Mask is_open =
-      hn::And (isMeasured (squared_range), hn::Le (squared_range, set (farthest)));
+  const float max_range = parameters.noise.max_range;
+  const float farthest =
+      std::min (max_range * max_range, std::numeric_limits<float>::max());
+  Mask is_open = hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
+                          hn::Le (squared_range, set (farthest)));
   auto place = hn::Set (Ints(), 1);
   for (std::size_t number = 0; number < planes.size(); ++number) {
     if (hn::AllFalse (Floats(), is_open))

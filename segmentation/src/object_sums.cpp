@@ -93,8 +93,7 @@ ObjectClusters::findSets()
 std::size_t
 ObjectClusters::clearPoints (const PointRun& run, const SupportPlane& support) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const std::uint32_t v = run.first / width, u = run.first % width;
+  const std::uint32_t v = run.first / width_, u = run.first % width_;
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < run.length; ++k) {
     const float* p = points_[run.first + k];
@@ -109,8 +108,7 @@ std::size_t
 ObjectClusters::pointsOffBackground (const PointRun& run,
                                      const SupportPlane& support) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const std::uint32_t v = run.first / width, u = run.first % width;
+  const std::uint32_t v = run.first / width_, u = run.first % width_;
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < run.length; ++k) {
     const float* p = points_[run.first + k];
@@ -240,11 +238,10 @@ ObjectClusters::elevationOf (std::uint32_t i) const
 std::uint32_t
 ObjectClusters::next (std::uint32_t i, std::ptrdiff_t step) const
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const bool has_next = step == points_.width    ? i + width < points_.size()
-                        : step == -points_.width ? i >= width
-                        : step > 0               ? i % width + 1 < width
-                                                 : i % width > 0;
+  const bool has_next = step == points_.width    ? i + width_ < points_.size()
+                        : step == -points_.width ? i >= width_
+                        : step > 0               ? i % width_ + 1 < width_
+                                                 : i % width_ > 0;
   return has_next ? static_cast<std::uint32_t> (i + step) : i;
 }
 

@@ -6,8 +6,9 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
-#include "mask_bits-inl.h"
 #include "obstacle_kernels.h"
+#include "plane_vectors-inl.h"
+#include "row_bits.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,6 +19,18 @@ namespace pcl {
 namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
+
+/** As many as there are bits in a word, or in as many vectors as fill it. */
+using Bytes = hn::CappedTag<std::uint8_t, bits_in_word>;
+
+/** \a value where \a bits are set, else 0. */
+HWY_INLINE hn::Vec<Bytes>
+bytesWhere (std::uint64_t bits, std::uint8_t value)
+{
+  const auto* bytes = reinterpret_cast<const std::uint8_t*> (&bits);
+  return hn::IfThenElseZero (hn::LoadMaskBits (Bytes(), bytes),
+                             hn::Set (Bytes(), value));
+}
 
 HWY_INLINE void
 add (V value, float* sum)

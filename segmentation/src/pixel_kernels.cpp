@@ -46,7 +46,7 @@ HWY_INLINE bool
 isAny (const std::uint32_t* labels, std::size_t size, std::uint32_t label)
 {
   for (std::size_t i = 0; i < size; i += hn::Lanes (Floats()))
-    if (!hn::AllFalse (Ints(), hn::Eq (loadInts (labels + i), setInts (label))))
+    if (!hn::AllFalse (Floats(), areLabel (labels + i, label)))
       return true;
   return false;
 }
@@ -95,7 +95,6 @@ assignPointsHere (const PointBlock& points,
                   const PlaneEquation* equations,
                   const DepthNoise& noise,
                   float max_sigmas,
-                  std::uint32_t none,
                   std::uint32_t* labels)
 {
   const V farthest =
@@ -112,14 +111,12 @@ assignPointsHere (const PointBlock& points,
                        hn::LoadU (Ints(), samples + i),
                        hn::Mul (set (max_sigmas), sigma),
                        range,
-                       setInts (none)};
+                       setInts (unlabelled)};
     for (const TilePlane& plane : planes)
       nearest.lookAt (plane, equations[plane.number]);
     const auto label = hn::IfThenElse (
-        hn::RebindMask (Ints(), measured), nearest.label, setInts (none));
-    hn::StoreU (hn::BitCast (hn::RebindToUnsigned<Floats>(), label),
-                hn::RebindToUnsigned<Floats>(),
-                labels + i);
+        hn::RebindMask (Ints(), measured), nearest.label, setInts (unlabelled));
+    storeInts (label, labels + i);
   }
 }
 
@@ -128,19 +125,16 @@ sumPointsHere (const PointBlock& points,
                const float* weights,
                const std::uint32_t* labels,
                std::uint32_t label,
-               const double (&reference)[3],
+               const double* reference,
                double (&sums)[10])
 {
   if (!isAny (labels, points.size, label))
     return 0;
   Sums all;
   std::size_t number = 0;
-  const Points origin = {set (static_cast<float> (reference[0])),
-                         set (static_cast<float> (reference[1])),
-                         set (static_cast<float> (reference[2]))};
+  const Points origin = setPoint (reference);
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
-    const Mask on =
-        hn::RebindMask (Floats(), hn::Eq (loadInts (labels + i), setInts (label)));
+    const Mask on = areLabel (labels + i, label);
     const Points p = load (points, i) - origin;
     all.add ({hn::IfThenElseZero (on, p.x),
               hn::IfThenElseZero (on, p.y),
@@ -201,11 +195,10 @@ assignPoints (const PointBlock& points,
               const PlaneEquation* equations,
               const DepthNoise& noise,
               float max_sigmas,
-              std::uint32_t none,
               std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (assignPointsHere)
-  (points, samples, planes, equations, noise, max_sigmas, none, labels);
+  (points, samples, planes, equations, noise, max_sigmas, labels);
 }
 
 std::size_t
@@ -213,7 +206,7 @@ sumPoints (const PointBlock& points,
            const float* weights,
            const std::uint32_t* labels,
            std::uint32_t label,
-           const double (&reference)[3],
+           const double* reference,
            double (&sums)[10])
 {
   return HWY_DYNAMIC_DISPATCH (sumPointsHere) (

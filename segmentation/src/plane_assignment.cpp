@@ -30,8 +30,8 @@ sumPointsAround (const Eigen::Vector3d& reference,
                  std::uint32_t label,
                  double (&sums)[10])
 {
-  const double origin[] = {reference[0], reference[1], reference[2]};
-  const std::size_t number = sumPoints (points, weights, labels, label, origin, sums);
+  const std::size_t number =
+      sumPoints (points, weights, labels, label, reference.data(), sums);
   if (number != 0)
     shiftSums (reference, sums);
   return number;
@@ -200,7 +200,6 @@ PlaneAssignment::assignTile (const PointBlock& points,
                 equations_.data(),
                 noise,
                 max_sigmas,
-                unlabelled,
                 tile_labels_.data());
   splitTile (points, tile, noise, max_sigmas);
 }

@@ -65,13 +65,16 @@ PlaneGrowth::grow (PlaneSamples& samples,
                    const Eigen::Vector3f& mean_normal)
 {
   PlaneMoments moments = fitSeed (samples, seed);
+  Eigen::Vector3d m = moments.inverseDistance();
   if (additions_.peaks && moments.points > 3 &&
-      moments.meanSquaredError (moments.inverseDistance()) > max_seed_error)
+      moments.meanSquaredError (m) > max_seed_error) {
     moments = keepLevel (samples, moments);
+    m = moments.inverseDistance();
+  }
   if (static_cast<double> (moments.points) <
       std::max (3., min_seed_share * min_points_))
     return Result::claimed_by_larger;
-  Plane plane = planeOf (moments.inverseDistance());
+  Plane plane = planeOf (m);
   if (!(std::abs (plane.normal.dot (mean_normal)) >= min_start_cosine)) {
     const float d = -mean_normal.dot (moments.mean().cast<float>());
     plane = {d < 0.f ? Eigen::Vector3f (-mean_normal) : mean_normal, std::abs (d)};
@@ -177,11 +180,7 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
                       std::size_t number) const
 {
   double sums[10];
-  sumSamples (samples,
-              tiles,
-              claimed_.data(),
-              {reference_[0], reference_[1], reference_[2]},
-              sums);
+  sumSamples (samples, tiles, claimed_.data(), reference_.data(), sums);
   shiftSums (reference_, sums);
   PlaneMoments moments;
   moments.add (sums, number);
@@ -194,11 +193,7 @@ PlaneGrowth::isCurved (const PlaneSamples& samples) const
   if (!additions_.curved)
     return false;
   double sums[22];
-  sumNormals (samples,
-              tiles_,
-              claimed_.data(),
-              {reference_[0], reference_[1], reference_[2]},
-              sums);
+  sumNormals (samples, tiles_, claimed_.data(), reference_.data(), sums);
   const SurfaceTurn turn = turnOf (sums, plane_.normal);
   return turn.over_all > max_turn + max_turn_per_metre * reference_.norm() ||
          (turn.per_metre > max_bend && turn.over_all > min_bent_turn);

@@ -73,7 +73,7 @@ void
 sumSamples (const PlaneSamples& samples,
             const std::vector<std::uint32_t>& tiles,
             const float* claimed,
-            const double (&reference)[3],
+            const double* reference,
             double (&sums)[10]);
 
 /** The same over samples with a trusted normal, followed by the sums of the components
@@ -82,7 +82,7 @@ void
 sumNormals (const PlaneSamples& samples,
             const std::vector<std::uint32_t>& tiles,
             const float* claimed,
-            const double (&reference)[3],
+            const double* reference,
             double (&sums)[22]);
 
 /** For each sample of the tile that begins with sample \a begin, a bit: the cosine between
@@ -151,7 +151,7 @@ loadPixels (const float* first,
             float* y,
             float* z);
 
-/** Gives each point the nearest one of \a planes, or \a none.
+/** Gives each point the nearest one of \a planes, or \ref unlabelled.
  * \param[in] samples the sample in the tile whose normal stands for that of the point
  * \param[in] equations by the numbers of planes
  */
@@ -162,7 +162,6 @@ assignPoints (const PointBlock& points,
               const PlaneEquation* equations,
               const DepthNoise& noise,
               float max_sigmas,
-              std::uint32_t none,
               std::uint32_t* labels);
 
 /** Looks at the points with \a label that clearly lie on \a plane, and clearly not on
@@ -190,7 +189,7 @@ splitPoints (const PointBlock& points,
              SeenPlane seen,
              std::uint32_t* labels);
 
-/** Gives \a none to the points with \a label near the line in which their \a plane meets
+/** Takes the label from the points with \a label near the line in which their \a plane meets
  * \a other: where the planes are not clearly apart along the viewing ray, or the other one
  * should be seen.
  * \param[in] seen which one is seen
@@ -203,7 +202,6 @@ dropUnclear (const PointBlock& points,
              const DepthNoise& noise,
              float max_sigmas,
              SeenPlane seen,
-             std::uint32_t none,
              std::uint32_t* labels);
 
 /** Sums over the points with \a label relative to \a reference, as sumSamples().
@@ -214,7 +212,7 @@ sumPoints (const PointBlock& points,
            const float* weights,
            const std::uint32_t* labels,
            std::uint32_t label,
-           const double (&reference)[3],
+           const double* reference,
            double (&sums)[10]);
 
 /** How many of \a size labels, one or more, are the same as the first one up to the first

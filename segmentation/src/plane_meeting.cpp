@@ -106,7 +106,6 @@ PlaneAssignment::findUnclear (const PointBlock& points,
                    noise,
                    max_sigmas,
                    seen,
-                   unlabelled,
                    tile_labels_.data());
     }
   for (std::size_t k = 0; is_any && k < PlaneSamples::tile_size; ++k)

@@ -53,6 +53,29 @@ loadInts (const std::uint32_t* from)
   return hn::BitCast (Ints(), hn::LoadU (hn::RebindToUnsigned<Floats>(), from));
 }
 
+HWY_INLINE void
+storeInts (I values, std::uint32_t* to)
+{
+  const hn::RebindToUnsigned<Floats> numbers;
+  hn::StoreU (hn::BitCast (numbers, values), numbers, to);
+}
+
+/** The labels that are \a label. */
+HWY_INLINE Mask
+areLabel (const std::uint32_t* labels, std::uint32_t label)
+{
+  return hn::RebindMask (Floats(), hn::Eq (loadInts (labels), setInts (label)));
+}
+
+/** The same point in all lanes. */
+HWY_INLINE Points
+setPoint (const double* xyz)
+{
+  return {set (static_cast<float> (xyz[0])),
+          set (static_cast<float> (xyz[1])),
+          set (static_cast<float> (xyz[2]))};
+}
+
 HWY_INLINE V
 dot (const PlaneEquation& plane, const Points& p)
 {
@@ -172,12 +195,6 @@ struct Sums {
     values[9] = hn::MulAdd (z, p.z, values[9]);
   }
 };
-
-HWY_INLINE double
-total (V value)
-{
-  return hn::GetLane (hn::SumOfLanes (Floats(), value));
-}
 
 HWY_INLINE void
 totals (const Sums& sums, double* results)

@@ -140,12 +140,13 @@ void
 sumSamplesHere (const PlaneSamples& samples,
                 const std::vector<std::uint32_t>& tiles,
                 const float* claimed,
-                const double (&reference)[3],
+                const double* reference,
                 double (&sums)[10])
 {
+  const Points origin = setPoint (reference);
   Sums all;
   forEachVector (tiles, [&] (std::size_t i) {
-    all.add (relativePoints (samples, i, reference), load (claimed + i));
+    all.add (pointsAt (samples, i) - origin, load (claimed + i));
   });
   totals (all, sums);
 }
@@ -228,7 +229,7 @@ void
 sumSamples (const PlaneSamples& samples,
             const std::vector<std::uint32_t>& tiles,
             const float* claimed,
-            const double (&reference)[3],
+            const double* reference,
             double (&sums)[10])
 {
   HWY_DYNAMIC_DISPATCH (sumSamplesHere) (samples, tiles, claimed, reference, sums);

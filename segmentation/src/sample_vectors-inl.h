@@ -54,16 +54,6 @@ normalsAt (const PlaneSamples& samples, std::size_t i)
           load (&samples.normal_z[i])};
 }
 
-HWY_INLINE Points
-relativePoints (const PlaneSamples& samples,
-                std::size_t i,
-                const double (&reference)[3])
-{
-  return pointsAt (samples, i) - Points{set (static_cast<float> (reference[0])),
-                                        set (static_cast<float> (reference[1])),
-                                        set (static_cast<float> (reference[2]))};
-}
-
 HWY_INLINE Mask
 isTrusted (const PlaneSamples& samples, std::size_t i)
 {

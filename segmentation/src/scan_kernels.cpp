@@ -6,7 +6,8 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
-#include "mask_bits-inl.h"
+#include "plane_vectors-inl.h"
+#include "row_bits.h"
 #include "scan_kernels.h"
 
 #include <limits>

@@ -42,12 +42,6 @@ struct Terms {
   }
 };
 
-HWY_INLINE float
-total (V value)
-{
-  return hn::GetLane (hn::SumOfLanes (Floats(), value));
-}
-
 } // namespace
 
 void

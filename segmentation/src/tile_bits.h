@@ -14,14 +14,14 @@ namespace rgbd_planes {
 
 // Sets of the samples of a tile, a bit for each.
 
-/** The samples for whose owner \a is_one (owner) is true. */
-template <typename Owner, typename IsOne>
+/** The samples for whose value \a is_one (value) is true. */
+template <typename Value, typename IsOne>
 std::uint16_t
-samplesWhere (const Owner* owners, const IsOne& is_one)
+samplesWhere (const Value* values, const IsOne& is_one)
 {
   unsigned bits = 0;
   for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
-    bits |= static_cast<unsigned> (is_one (owners[k])) << k;
+    bits |= static_cast<unsigned> (is_one (values[k])) << k;
   return static_cast<std::uint16_t> (bits);
 }
 

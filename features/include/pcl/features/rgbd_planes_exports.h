@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <Eigen/Core>
+
 /** PCL's own PCL_EXPORTS is empty on Linux, so that consumers built with hidden
  * visibility would not find the instantiations in the library. */
 #if defined(__GNUC__)
@@ -10,3 +12,21 @@
 #else
 #define PCL_RGBD_PLANES_EXPORTS
 #endif
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief The library has it for the number of bytes that Eigen aligned memory to when it was
+ * compiled. Programs for which Eigen does otherwise, as with -march=native on processors with
+ * AVX, would crash: they need this function, and do not link. */
+template <int Bytes>
+PCL_RGBD_PLANES_EXPORTS void
+eigenAlignsTo ();
+
+namespace {
+__attribute__ ((used)) void (*const eigen_aligns_alike)() =
+    &eigenAlignsTo<EIGEN_MAX_ALIGN_BYTES>;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

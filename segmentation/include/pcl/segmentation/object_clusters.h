@@ -186,6 +186,7 @@ private:
   collect ();
 
   OrganizedPoints points_;
+  std::uint32_t width_ = 0; // of the image
   const SupportPlanes* supports_ = nullptr;
   ObjectParameters parameters_;
   float pixel_angle_ = 0.f;

@@ -46,8 +46,8 @@ namespace pcl {
  * are specks, errors of the sensor. Where no floor is found, nothing is safe: points clearly
  * below z = 0 are drop-offs if the camera is above it, all other measured points obstacles.
  *
- * A null or unorganized cloud, normals or labels that are missing or of another size, or
- * an index outside of the cloud: an error message and empty outputs.
+ * A null, empty or unorganized cloud, normals or labels that are missing or of another size,
+ * or an index outside of the cloud: an error message and empty outputs.
  *
  * \ingroup segmentation
  */
@@ -95,10 +95,10 @@ public:
                   const PointCloudLConstPtr& labels);
 
   /** \brief The pose of the frame of the cloud, which mostly is that of the camera, in the
-   * base frame, metres; default
-   * rgbd_planes::defaultCameraToBase(), whose z = 0 is no floor but the height of the
-   * camera: give a measured pose, or that of CameraToBase::estimateFromFloor. A transform
-   * that is not rigid: an error message, and the one before stays. */
+   * base frame, metres; default rgbd_planes::defaultCameraToBase(), whose z = 0 is no floor
+   * but the height of the camera: give a measured pose, or that of
+   * CameraToBase::estimateFromFloor. A transform that is not rigid: an error message, and the
+   * one before stays. */
   void
   setCameraToBase (const Eigen::Affine3f& camera_to_base);
 

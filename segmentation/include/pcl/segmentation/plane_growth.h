@@ -66,6 +66,15 @@ public:
   }
 
 private:
+  /** A part of a seed: its tiles, from one to another of the connected ones, its claims and
+   * their mean height. */
+  struct Part {
+    std::size_t first, last, claims;
+    float height;
+  };
+
+  enum class Look : std::uint8_t { none, at_seed, done };
+
   PlaneMoments
   fitSeed (const PlaneSamples& samples, const SampleComponents::Component& seed);
 
@@ -109,17 +118,8 @@ private:
   double min_points_ = 0.;
   float max_sigmas_ = 0.f;
   PlaneAdditions additions_;
-  /** A part of a seed: its tiles, from one to another of the connected ones, its claims and
-   * their mean height. */
-  struct Part {
-    std::size_t first, last, claims;
-    float height;
-  };
-
   /** The number of free samples in each tile. */
   std::vector<std::uint8_t> free_;
-  enum class Look : std::uint8_t { none, at_seed, done };
-
   /** Of the plane that grows: weights of the samples on it, 0 for others, their number
    * in each tile, the tiles of its seed, those that it may have, and on the way there
    * those that were looked at and those that hang together. */

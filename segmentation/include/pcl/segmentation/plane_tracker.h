@@ -30,9 +30,8 @@ namespace pcl {
  * the one before that covered most of the same pixels, weighted by how little normal and
  * distance have changed; more than 0.5 radians or 1 m is another plane. A plane that is not
  * found, or hidden, or taken for a part of another one, is remembered where it was seen last,
- * for 15 frames. When a plane falls
- * into parts, the part with the largest overlap keeps the identity; when planes are joined, the
- * one with the largest overlap does.
+ * for 15 frames. When a plane falls into parts, the part with the largest overlap keeps the
+ * identity; when planes are joined, the one with the largest overlap does.
  *
  * Time is linear in the number of pixels (and in the product of the numbers of planes of two
  * frames). Memory is used again. Frames may change their size.

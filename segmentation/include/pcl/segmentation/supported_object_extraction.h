@@ -5,6 +5,7 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/sensor_points.h>
+#include <pcl/features/set_parameter.h>
 #include <pcl/filters/camera_pose.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
@@ -17,6 +18,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -65,17 +67,16 @@ struct SupportedObject {
  * under a higher supporting plane (legs of a table), on a plane much of which is elsewhere
  * (the wall behind a table), or mostly ends at something nearer above it in the image, for
  * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
- * of a wall. What touches such a wall is an object if a quarter of its points
- * stand out from it, by five standard deviations of depth. A thing on a thing is one object with
- * it, but for setSplitAtConcaveEdges().
+ * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
+ * by five standard deviations of depth. A thing on a thing is one object with it, but for
+ * setSplitAtConcaveEdges().
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the
- * sensor, as CameraToBase sets it), and the planes
- * that NormalSpacePlaneSegmentation or another segmentation found in it. NaN, Inf and (0, 0, 0)
- * mean missing depth. With indices, only these points can be of objects. Output: objects in
- * the order of their first points, parts of what was split one after the other; replaced,
- * not appended to.
+ * sensor, as CameraToBase sets it), and the planes that NormalSpacePlaneSegmentation or another
+ * segmentation found in it. NaN, Inf and (0, 0, 0) mean missing depth. With indices, only these
+ * points can be of objects. Output: objects in the order of their first points, parts of what
+ * was split one after the other; replaced, not appended to.
  *
  * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
  * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
@@ -115,10 +116,15 @@ public:
   }
 
   /** \brief From the frame of the cloud to that of the robot: x forward, y left, z up, heights
-   * count from z = 0. Rigid. Default: the camera looks forward along x, without tilt, and is
-   * 2 cm to the left of the origin, at height 0 (section 3 of the paper). */
+   * count from z = 0. Default: the camera looks forward along x, without tilt, and is
+   * 2 cm to the left of the origin, at height 0 (section 3 of the paper). A transform that is not
+   * rigid: an error message, and the one before stays. */
   void
-  setCameraToBase (const Eigen::Affine3f& camera_to_base);
+  setCameraToBase (const Eigen::Affine3f& camera_to_base)
+  {
+    rgbd_planes::setTransform (
+        getClassName() + "::setCameraToBase", camera_to_base, camera_to_base_);
+  }
 
   const Eigen::Affine3f&
   getCameraToBase () const
@@ -129,7 +135,14 @@ public:
   /** \brief Supporting planes are tilted by no more than this; radians, 0 to pi / 2, default
    * 0.26 (15 degrees). */
   void
-  setHorizontalTolerance (double tolerance);
+  setHorizontalTolerance (double tolerance)
+  {
+    setNumber ("setHorizontalTolerance",
+               tolerance,
+               parameters_.horizontal_tolerance,
+               rgbd_planes::Zero::allowed,
+               M_PI / 2.);
+  }
 
   double
   getHorizontalTolerance () const
@@ -140,7 +153,14 @@ public:
   /** \brief Heights of supporting planes in the base frame, where their points are on
    * average, give or take 3 standard deviations of depth; metres, default 0 to 1.2. */
   void
-  setPlaneHeights (double lowest, double highest);
+  setPlaneHeights (double lowest, double highest)
+  {
+    setRange ("setPlaneHeights",
+              lowest,
+              highest,
+              parameters_.min_plane_height,
+              parameters_.max_plane_height);
+  }
 
   double
   getMinPlaneHeight () const
@@ -156,7 +176,13 @@ public:
 
   /** \brief Objects reach no higher above their plane; metres, more than 0, default 0.3. */
   void
-  setMaxObjectHeight (double height);
+  setMaxObjectHeight (double height)
+  {
+    setNumber ("setMaxObjectHeight",
+               height,
+               parameters_.max_object_height,
+               rgbd_planes::Zero::refused);
+  }
 
   double
   getMaxObjectHeight () const
@@ -167,7 +193,13 @@ public:
   /** \brief Things that are lower, or lower than 3 standard deviations of depth, are noise;
    * metres, more than 0, default 0.01. */
   void
-  setMinObjectHeight (double height);
+  setMinObjectHeight (double height)
+  {
+    setNumber ("setMinObjectHeight",
+               height,
+               parameters_.min_object_height,
+               rgbd_planes::Zero::refused);
+  }
 
   double
   getMinObjectHeight () const
@@ -178,7 +210,13 @@ public:
   /** \brief How far outside of the hull of its plane a thing may lie; metres, 0 or more,
    * default 0.03. */
   void
-  setHullTolerance (double tolerance);
+  setHullTolerance (double tolerance)
+  {
+    setNumber ("setHullTolerance",
+               tolerance,
+               parameters_.hull_tolerance,
+               rgbd_planes::Zero::allowed);
+  }
 
   double
   getHullTolerance () const
@@ -189,7 +227,13 @@ public:
   /** \brief How much further up to three quarters of a thing may reach, which hides the
    * plane where it stands at a corner, or sticks out; metres, 0 or more, default 0.2. */
   void
-  setMaxOverhang (double overhang);
+  setMaxOverhang (double overhang)
+  {
+    setNumber ("setMaxOverhang",
+               overhang,
+               parameters_.max_overhang,
+               rgbd_planes::Zero::allowed);
+  }
 
   double
   getMaxOverhang () const
@@ -202,7 +246,13 @@ public:
    * 1; or 8 mm at 1 m, if that is more. At the same height, as on tops that are seen at a flat
    * angle, they may be as far apart as one and a half pixels on a level surface. */
   void
-  setClusterTolerance (double sigmas);
+  setClusterTolerance (double sigmas)
+  {
+    setNumber ("setClusterTolerance",
+               sigmas,
+               parameters_.cluster_tolerance,
+               rgbd_planes::Zero::allowed);
+  }
 
   double
   getClusterTolerance () const
@@ -227,7 +277,14 @@ public:
   /** \brief What a gripper can grasp: the smallest side of a box; metres, default 0.01 to
    * 0.1. */
   void
-  setGraspableSides (double smallest, double largest);
+  setGraspableSides (double smallest, double largest)
+  {
+    setRange ("setGraspableSides",
+              smallest,
+              largest,
+              parameters_.min_graspable_side,
+              parameters_.max_graspable_side);
+  }
 
   double
   getMinGraspableSide () const
@@ -299,6 +356,17 @@ protected:
 
 private:
   void
+  setNumber (const char* setter,
+             double value,
+             float& parameter,
+             rgbd_planes::Zero zero,
+             double max = rgbd_planes::any_finite)
+  {
+    rgbd_planes::setParameter (
+        getClassName() + "::" + setter, value, parameter, zero, max);
+  }
+
+  void
   setRange (const char* setter, double low, double high, float& min, float& max);
 
   bool
@@ -307,10 +375,6 @@ private:
 
   const std::vector<rgbd_planes::ObjectCluster>&
   findClusters (const rgbd_planes::OrganizedPoints& points);
-
-  bool
-  isBackground (const rgbd_planes::OrganizedPoints& points,
-                const rgbd_planes::ObjectCluster& cluster) const;
 
   void
   describe (const rgbd_planes::OrganizedPoints& points,

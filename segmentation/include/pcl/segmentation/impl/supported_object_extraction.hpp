@@ -5,24 +5,13 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/features/set_parameter.h>
 #include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace pcl {
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setCameraToBase (
-    const Eigen::Affine3f& camera_to_base)
-{
-  rgbd_planes::setTransform (
-      getClassName() + "::setCameraToBase", camera_to_base, camera_to_base_);
-}
 
 template <typename PointT, typename PointNT>
 void
@@ -43,96 +32,6 @@ SupportedObjectExtraction<PointT, PointNT>::setRange (
   }
   min = static_cast<float> (low);
   max = static_cast<float> (high);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setHorizontalTolerance (double tolerance)
-{
-  rgbd_planes::setParameter (getClassName() + "::setHorizontalTolerance",
-                             tolerance,
-                             parameters_.horizontal_tolerance,
-                             rgbd_planes::Zero::allowed,
-                             M_PI / 2.);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setPlaneHeights (double lowest,
-                                                             double highest)
-{
-  setRange ("setPlaneHeights",
-            lowest,
-            highest,
-            parameters_.min_plane_height,
-            parameters_.max_plane_height);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setMaxObjectHeight (double height)
-{
-  rgbd_planes::setParameter (getClassName() + "::setMaxObjectHeight",
-                             height,
-                             parameters_.max_object_height,
-                             rgbd_planes::Zero::refused,
-                             rgbd_planes::any_finite);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setMinObjectHeight (double height)
-{
-  rgbd_planes::setParameter (getClassName() + "::setMinObjectHeight",
-                             height,
-                             parameters_.min_object_height,
-                             rgbd_planes::Zero::refused,
-                             rgbd_planes::any_finite);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setHullTolerance (double tolerance)
-{
-  rgbd_planes::setParameter (getClassName() + "::setHullTolerance",
-                             tolerance,
-                             parameters_.hull_tolerance,
-                             rgbd_planes::Zero::allowed,
-                             rgbd_planes::any_finite);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setMaxOverhang (double overhang)
-{
-  rgbd_planes::setParameter (getClassName() + "::setMaxOverhang",
-                             overhang,
-                             parameters_.max_overhang,
-                             rgbd_planes::Zero::allowed,
-                             rgbd_planes::any_finite);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setClusterTolerance (double sigmas)
-{
-  rgbd_planes::setParameter (getClassName() + "::setClusterTolerance",
-                             sigmas,
-                             parameters_.cluster_tolerance,
-                             rgbd_planes::Zero::allowed,
-                             rgbd_planes::any_finite);
-}
-
-template <typename PointT, typename PointNT>
-void
-SupportedObjectExtraction<PointT, PointNT>::setGraspableSides (double smallest,
-                                                               double largest)
-{
-  setRange ("setGraspableSides",
-            smallest,
-            largest,
-            parameters_.min_graspable_side,
-            parameters_.max_graspable_side);
 }
 
 template <typename PointT, typename PointNT>
@@ -190,7 +89,9 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
   const auto points = relative_points_.of (*input_);
   std::size_t count = 0;
   for (const auto& cluster : findClusters (points)) {
-    if (isBackground (points, cluster))
+    // A strip of the wall behind a table is no object.
+    if (rgbd_planes::liesOnOneOf (
+            supports_.background(), points, cluster.runs, parameters_.noise))
       continue;
     objects.resize (std::max (objects.size(), count + 1));
     describe (points, cluster, objects[count]);
@@ -220,17 +121,6 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
       parameters_,
       clustering_.clusters());
   return split_.parts();
-}
-
-/** Whether it is a strip of the wall behind a table. */
-template <typename PointT, typename PointNT>
-bool
-SupportedObjectExtraction<PointT, PointNT>::isBackground (
-    const rgbd_planes::OrganizedPoints& points,
-    const rgbd_planes::ObjectCluster& cluster) const
-{
-  return rgbd_planes::liesOnOneOf (
-      supports_.background(), points, cluster.runs, parameters_.noise);
 }
 
 template <typename PointT, typename PointNT>

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/features/rgbd_planes_exports.h>
+
+namespace pcl {
+namespace rgbd_planes {
+
+template <int Bytes>
+void
+eigenAlignsTo ()
+{}
+
+template PCL_RGBD_PLANES_EXPORTS void
+eigenAlignsTo<EIGEN_MAX_ALIGN_BYTES>();
+
+} // namespace rgbd_planes
+} // namespace pcl
