@@ -80,6 +80,9 @@ findPeaksHere (
     const Mask is_peak =
         hn::And (hn::Ge (jump, hn::Max (set (least), hn::Abs (load (jumps + i - 1)))),
                  hn::Gt (jump, hn::Abs (load (jumps + i + 1))));
+    // Most vectors hold none, and compressing is slow on some processors.
+    if (hn::AllFalse (Floats(), is_peak))
+      continue;
     count += hn::CompressStore (hn::Iota (ints, static_cast<int> (i)),
                                 hn::RebindMask (ints, is_peak),
                                 ints,
@@ -122,13 +125,13 @@ findLinesHere (const float* jumps,
       places = hn::Add (
           places, hn::IfThenElseZero (hn::Ne (jump, hn::Zero (Floats())), set (1.f)));
     }
-    const Mask jumps_here =
-        hn::And (hn::Ge (places, set (limits.min_places)),
+    const Mask is_line =
+        hn::And (hn::And (is_voted, hn::Ge (places, set (limits.min_places))),
                  hn::Ge (hn::Abs (sum), hn::Mul (set (limits.min_jump), places)));
-    count += hn::CompressStore (hn::Iota (ints, first),
-                                hn::RebindMask (ints, hn::And (is_voted, jumps_here)),
-                                ints,
-                                lines + count);
+    if (hn::AllFalse (Floats(), is_line))
+      continue;
+    count += hn::CompressStore (
+        hn::Iota (ints, first), hn::RebindMask (ints, is_line), ints, lines + count);
   }
   return count;
 }
