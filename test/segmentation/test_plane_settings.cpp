@@ -88,17 +88,18 @@ TEST (PlaneSettings, PreciseSensorsTellSmallSteps)
 
 TEST (PlaneSettings, NoisySensorsHaveAWiderThreshold)
 {
-  const pcl::rgbd_planes::DepthNoise noise{0.002f, 0.003f};
+  const pcl::rgbd_planes::DepthNoise noise{0.004f, 0.004f};
   const Scene scene = render ({tiltedPlane (1.f, 0.f, 30.f)}, 640, 480, [&] (float z) {
     return noise.sigma (z * z);
   });
   Ours segmentation;
   segmentation.setDepthNoise (noise);
-  EXPECT_NEAR (segmentation.getDistanceThreshold(), 0.01125, 1e-6);
+  EXPECT_NEAR (segmentation.getDistanceThreshold(), 0.012, 1e-6);
   Result result;
   segment (segmentation, scene.cloud, result);
   ASSERT_EQ (result.models.size(), 1u);
-  EXPECT_GE (result.inliers[0].indices.size(), 0.95 * scene.cloud->size());
+  // 1.5 standard deviations; within 9 mm are 74 %.
+  EXPECT_GE (result.inliers[0].indices.size(), 0.8 * scene.cloud->size());
 }
 
 TEST (PlaneSettings, ThresholdIsWiderAmidAPlaneThanAtItsBorder)

@@ -127,7 +127,7 @@ public:
 
   /** \brief How far from its plane a point may lie along the viewing ray, in metres at a
    * range of 1 m; grows with range as the noise of the sensor does, more than 0, default
-   * 0.009, but no less than 2.25 and no more than 4.5 standard deviations of that noise. Amid
+   * 0.009, but no less than 1.5 and no more than 4.5 standard deviations of that noise. Amid
    * the plane points may lie 1.15 times as far, at its borders 0.9 times. */
   void
   setDistanceThreshold (double distance_threshold);

@@ -55,7 +55,7 @@ struct PlaneExtractionParameters {
   {
     const double sigma = noise.sigma (1.f);
     return distance_threshold > 0. ? distance_threshold
-                                   : std::clamp (0.009, 2.25 * sigma, 4.5 * sigma);
+                                   : std::clamp (0.009, 1.5 * sigma, 4.5 * sigma);
   }
 };
 
