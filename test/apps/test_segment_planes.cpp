@@ -229,6 +229,20 @@ TEST_F (SegmentPlanes, SequenceGivesOneResultForEachFrame)
   }
 }
 
+TEST_F (SegmentPlanes, ProgressIsShownOnATerminal)
+{
+  std::filesystem::create_directory (folder_ / "frames");
+  writeTwoWalls ("frames/1.png");
+  writeTwoWalls ("frames/2.png");
+  const std::string arguments = "frames" + camera_;
+  const Outcome outcome = shell ("script -qec \"" + application_ + " " + arguments +
+                                 " >table.txt\" /dev/null </dev/null");
+  ASSERT_EQ (outcome.code, 0) << outcome.out;
+  EXPECT_NE (outcome.out.find ("\rframe 1 of 2\rframe 2 of 2"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ (run (arguments).err, "") << "where there is no terminal";
+}
+
 TEST_F (SegmentPlanes, SensorsSeeAsFarAsTheirNoiseSays)
 {
   writeTwoWalls ("walls.png"); // at 4 and 6 m, from 25 cm above z = 0 on
