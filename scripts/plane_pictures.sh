@@ -14,9 +14,9 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 sheet=$folder/sheet.gnuplot
 cat >"$sheet" <<END
-set terminal pngcairo noenhanced size 960,980 font 'sans,9'
+set terminal pngcairo noenhanced size 960,1176 font 'sans,9'
 set output '$folder/sheet.png'
-set multiplot layout 5,4
+set multiplot layout 6,4
 unset border; unset tics; unset key
 set size ratio -1; set autoscale noextend; set margins 0,0,0,1
 END
@@ -53,6 +53,9 @@ planes icsl_corridor "$data/icsl_corridor/depth" \
 planes icl_office_kt0 "$data/icl_office_kt0/depth" \
   --intrinsics 481.2,480.0,319.5,239.5 --depth-scale 5000
 planes synpeb "$data/synpeb"
+planes five_people "$data/kinect/five_people.pcd"
+planes robot_floor "$data/robot_floor/depth" \
+  --intrinsics 383.8,383.8,321.7,236.8 --depth-scale 1000 --depth-noise active_stereo
 
 gnuplot "$sheet"
 mv "$folder/sheet.png" "$picture"

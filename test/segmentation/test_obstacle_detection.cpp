@@ -4,6 +4,8 @@
 #include "count_allocations.h"
 #include "floor_scene.h"
 
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/obstacle_detection.h>
 
 #include <gtest/gtest.h>
@@ -333,6 +335,36 @@ TEST (ObstacleDetection, ATableIsAnObstacleThoughHorizontal)
   const FloorScene scene (only_floor + table, pose);
   const Result result = detect (scene);
   EXPECT_EQ (share (scene, result, 1, 6, ObstacleClass::obstacle), 1.);
+}
+
+/** Less than 1 m away, after Holz et al. 2011, figure 4. It has no plane of its own. */
+TEST (ObstacleDetection, ALighterOnATableIsAnObstacle)
+{
+  const auto lighter = box ({0.74f, -0.04f, 0.f}, {0.765f, 0.04f, 0.012f});
+  // To the robot's floor, the table is an obstacle; to the table, the lighter is.
+  for (const float table_height : {0.f, 0.7f}) {
+    FloorScene scene (only_floor + lighter, cameraPose (0.5f, 0.6f), 640, kinectSigma);
+    scene.camera_to_base.pretranslate (Eigen::Vector3f (0.f, 0.f, table_height));
+    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+    estimation.setInputCloud (scene.cloud);
+    estimation.compute (*scene.normals);
+    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+    segmentation.setInputCloud (scene.cloud);
+    segmentation.setInputNormals (scene.normals);
+    std::vector<pcl::PointIndices> inliers;
+    const auto patches = pcl::make_shared<pcl::PointCloud<pcl::Label>> (*scene.labels);
+    segmentation.segment (scene.planes, inliers, *scene.labels);
+    const Result result = detect (scene);
+    *scene.labels = *patches;
+    EXPECT_GE (share (scene, result, 1, 6, ObstacleClass::obstacle), 0.5);
+    EXPECT_GE (
+        share (scene,
+               result,
+               0,
+               0,
+               table_height > 0.f ? ObstacleClass::obstacle : ObstacleClass::floor),
+        0.998);
+  }
 }
 
 TEST (ObstacleDetection, AStepDownIsADropOffAtItsEdge)

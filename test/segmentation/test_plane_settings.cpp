@@ -160,6 +160,31 @@ TEST (PlaneSettings, BothGridsFindTheSame)
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)
     same += voxels.labels[i].label == spherical.labels[i].label;
   EXPECT_GE (same, scene.cloud->size() * 99 / 100);
+
+  // They are not one: clusters of less than the noise of normals differ.
+  segmentation.setAngularThreshold (0.02);
+  segment (segmentation, spherical);
+  const std::size_t candidates = segmentation.getRejections().claimed_by_larger;
+  segmentation.setNormalSpaceGrid (pcl::rgbd_planes::NormalSpaceGrid::voxels);
+  segment (segmentation, voxels);
+  EXPECT_NE (segmentation.getRejections().claimed_by_larger, candidates);
+}
+
+/** With the default, clusters hold normals of both. */
+TEST (PlaneSettings, AngularThresholdPartsPlanesThatMeetAtAFlatAngle)
+{
+  const std::vector<Surface> surfaces{tiltedPlane (1.5f, 0.f, -4.f),
+                                      tiltedPlane (1.5f, 0.f, 4.f)};
+  const Scene scene = render (surfaces, 640, 480, kinectSigma);
+  Ours segmentation;
+  segmentation.setAngularThreshold (0.1);
+  Result result;
+  segment (segmentation, scene.cloud, result);
+  ASSERT_EQ (result.models.size(), 2u);
+  for (const auto& surface : surfaces)
+    EXPECT_LE (std::min (angleDegrees (result.normal (0), surface.normal),
+                         angleDegrees (result.normal (1), surface.normal)),
+               0.5f);
 }
 
 TEST (PlaneSettings, BadNoiseIsRefused)
@@ -203,5 +228,21 @@ TEST (PlaneRejections, CountPlanesWithTooFewPoints)
   EXPECT_EQ (result.models.size(), 1u);
   EXPECT_EQ (segmentation.getRejections().too_few_points, 0u);
   EXPECT_EQ (segmentation.getRejections().curved, 0u);
+  EXPECT_EQ (segmentation.getRejections().claimed_by_larger, 0u);
+}
+
+/** Clusters of less than the noise of normals: each plane takes the points of many. */
+TEST (PlaneRejections, CountCandidatesWhoseSeedsWereTaken)
+{
+  const Scene scene = render (corner(), 640, 480, kinectSigma);
+  Ours segmentation;
+  segmentation.setAngularThreshold (0.02);
+  Result result;
+  segment (segmentation, scene.cloud, result);
+  EXPECT_EQ (result.models.size(), 3u);
+  EXPECT_GT (segmentation.getRejections().claimed_by_larger, 10u);
+  segmentation.setAngularThreshold (0.2);
+  segment (segmentation, result);
+  EXPECT_EQ (result.models.size(), 3u);
   EXPECT_EQ (segmentation.getRejections().claimed_by_larger, 0u);
 }

@@ -231,6 +231,20 @@ TEST (SupportedObjectExtraction, HeightsOfPlanes)
   EXPECT_TRUE (extract (extraction, view).empty());
 }
 
+TEST (SupportedObjectExtraction, HorizontalTolerance)
+{
+  View view = look ({floor_slab, table, onTable (1.f, 0.1f, {0.06f, 0.06f, 0.1f})});
+  Camera wrong;
+  wrong.pitch_down += 0.1f;
+  view.camera_to_base = wrong.toBase();
+  Extraction extraction;
+  extraction.setPlaneHeights (0.4, 1.2);
+  extraction.setHorizontalTolerance (0.12);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setHorizontalTolerance (0.08);
+  EXPECT_TRUE (extract (extraction, view).empty());
+}
+
 TEST (SupportedObjectExtraction, TallThingsAreNoObjects)
 {
   const View view = look ({floor_slab, table, onTable (1.3f, 0.f, {0.1f, 0.1f, 0.4f})});
@@ -429,6 +443,22 @@ TEST (SupportedObjectExtraction, ApartObjects)
   EXPECT_EQ (objects.size(), 3u);
   for (const int box : {2, 3, 4})
     EXPECT_GT (bestIou (objects, view, box), 0.8) << box;
+}
+
+TEST (SupportedObjectExtraction, ClusterTolerance)
+{
+  // One is 3 cm behind the other.
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (1.f, 0.1f, {0.06f, 0.06f, 0.1f}),
+                           onTable (1.09f, 0.1f, {0.06f, 0.06f, 0.1f})});
+  Extraction extraction;
+  EXPECT_EQ (extract (extraction, view).size(), 2u);
+  extraction.setClusterTolerance (10.);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  EXPECT_EQ (extraction.getClusterTolerance(), 10.);
+  extraction.setClusterTolerance (-1.);
+  EXPECT_EQ (extraction.getClusterTolerance(), 10.);
 }
 
 TEST (SupportedObjectExtraction, SplitsTouchingObjects)

@@ -20,7 +20,7 @@ namespace pcl {
  * switched off, setRectSize has an effect, and every valid point gets a normal, but in
  * interlaced clouds: where every second row or column is missing, no point has a valid
  * neighbour along one axis, and none gets a normal. Time is linear in the number of points
- * and does not depend on the size of the smoothing area.
+ * and hardly depends on the size of the smoothing area.
  *
  * -# Tangents are the differences between neighbouring points to the left and right, and
  *    above and below, where both lie on one surface: by a model of the noise of depth;

@@ -44,8 +44,9 @@ struct ScanLimits {
   float max_height = 2.f;
 };
 
-/** \brief Distances to the closest obstacle in each direction: the fields of a LaserScan
- * message of ROS with the same names. */
+/** \brief Distances to the closest obstacle in each direction: the angles and ranges of a
+ * LaserScan message of ROS, by the same names. Its stamp is that of the cloud, its frame the
+ * base frame; time_increment and scan_time are 0, and there are no intensities. */
 struct VirtualScan {
   float angle_min = 0.f;
   float angle_max = 0.f;
