@@ -106,6 +106,7 @@ FrameSegmenter::segment (const Frame& frame)
   segmentation_.setInputNormals (normals_);
   segmentation_.setMinInliers (summary.min_inliers);
   segmentation_.segment (coefficients_, inliers_, *labels_);
+  summary.rejections = segmentation_.getRejections();
   const auto camera_to_base =
       options_.camera_to_base ? options_.camera_to_base : frame.camera_to_base;
   summary.camera_to_base =

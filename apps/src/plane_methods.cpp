@@ -94,8 +94,8 @@ normalSpaceMethod (const std::string& name,
   estimation->setDepthNoise (noise);
   const auto segmentation = std::make_shared<NormalSpaceMethod> (additions);
   segmentation->setDepthNoise (noise);
-  const auto segment = [] (NormalSpaceMethod& segmentation, SegmentedPlanes& planes) {
-    segmentation.segment (planes.models, planes.inliers);
+  const auto segment = [] (NormalSpaceMethod& method, SegmentedPlanes& planes) {
+    method.segment (planes.models, planes.inliers);
   };
   return makeMethod (name, findPlanes (estimation, segmentation, segment));
 }

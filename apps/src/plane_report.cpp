@@ -99,6 +99,10 @@ toJson (const FrameSummary& frame)
             {"min_inliers", frame.min_inliers},
             {"stage_times_ms", times},
             {"planes", planes},
+            {"rejections",
+             {{"too_few_points", frame.rejections.too_few_points},
+              {"curved", frame.rejections.curved},
+              {"claimed_by_larger", frame.rejections.claimed_by_larger}}},
             {"objects", objects}};
   json.update (obstaclesJson (frame));
   return json;

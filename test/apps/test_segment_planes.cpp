@@ -188,6 +188,24 @@ TEST_F (SegmentPlanes, FindsTwoWallsInADepthImage)
   }
 }
 
+TEST_F (SegmentPlanes, TellsWhyCandidatesAreNoPlanes)
+{
+  writeTwoWalls ("walls.png");
+  for (const std::size_t walls : {0, 2}) {
+    const std::string min_inliers = walls == 0 ? "12000" : "1000";
+    ASSERT_EQ (
+        run ("walls.png --json found.json --min-inliers " + min_inliers + camera_).code,
+        0);
+    const json frame = json::parse (readFile (folder_ / "found.json"))["frames"][0];
+    EXPECT_EQ (frame["planes"].size(), walls);
+    const json& rejections = frame["rejections"];
+    EXPECT_EQ (rejections.size(), 3u);
+    EXPECT_GE (rejections["too_few_points"].get<std::size_t>() + walls, 2u);
+    EXPECT_EQ (rejections["curved"], 0);
+    EXPECT_EQ (rejections["claimed_by_larger"], 0);
+  }
+}
+
 TEST_F (SegmentPlanes, SimulatedTableAtAllResolutions)
 {
   std::string inliers;

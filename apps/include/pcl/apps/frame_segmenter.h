@@ -84,6 +84,7 @@ struct FrameSummary {
   StageTimes times;
   /** By decreasing number of points; the index is the id of the plane. */
   std::vector<PlaneSummary> planes;
+  PlaneRejections rejections;
   /** Where options ask for them. */
   std::vector<pcl::SupportedObject> objects;
   /** The number of points of each object. */
