@@ -4,7 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/evaluation_command.h>
 #include <pcl/apps/quiet_pcl.h>
-#include <pcl/features/depth_noise_estimation.h>
+#include <pcl/segmentation/depth_noise_estimation.h>
 #include <pcl/simulation/subsample.h>
 
 #include <nlohmann/json.hpp>

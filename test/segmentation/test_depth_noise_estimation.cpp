@@ -4,7 +4,7 @@
 #include "synthetic_clouds.h"
 
 #include <pcl/common/transforms.h>
-#include <pcl/features/depth_noise_estimation.h>
+#include <pcl/segmentation/depth_noise_estimation.h>
 #include <pcl/simulation/simulate.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/features/depth_noise_estimation.h>
+#include <pcl/segmentation/depth_noise_estimation.h>
+#include <pcl/segmentation/plane_moments.h>
 
 #include <Eigen/Dense>
 
@@ -35,16 +36,14 @@ struct Block {
   double range, sigma;
 };
 
-/** Of the measured points of a block, from (\a left, \a top) on, around the plane n with
- * n . (ray of a point) = 1 / range; none where too few are measured or the plane is seen flatly. */
+/** What is left by the measured points of a block, from (\a left, \a top) on; none where too
+ * few are measured or their plane is seen flatly. */
 std::optional<Block>
 fitBlock (const OrganizedPoints& points, int left, int top, int side)
 {
-  using Vector4 = Eigen::Vector4d;
-  Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  rgbd_planes::PlaneMoments moments;
+  Eigen::Vector3d rays = Eigen::Vector3d::Zero();
   double ranges = 0.;
-  int count = 0;
   for (int v = top; v < top + side; ++v)
     for (int u = left; u < left + side; ++u) {
       const float* p = points[static_cast<std::size_t> (v * points.width + u)];
@@ -53,24 +52,20 @@ fitBlock (const OrganizedPoints& points, int left, int top, int side)
       const Eigen::Vector3d point =
           Eigen::Map<const Eigen::Vector3f> (p).cast<double>();
       const double range = point.norm();
-      const Vector4 row = point.homogeneous() / range;
-      products.noalias() += row * row.transpose();
-      sum += row.head<3>();
+      // Errors of inverse ranges count alike.
+      moments.add (p, 1. / (range * range));
+      rays += point / range;
       ranges += range;
-      ++count;
     }
+  const auto count = static_cast<double> (moments.points);
   if (count < min_filled * side * side)
     return std::nullopt;
-  const Eigen::Matrix3d rays = products.topLeftCorner<3, 3>();
-  const Eigen::Vector3d normal =
-      rays.ldlt().solve (products.topRightCorner<3, 1>().eval());
-  const Eigen::Vector3d middle = sum / sum.norm();
+  const Eigen::Vector3d m = moments.inverseDistance();
   const double range = ranges / count;
-  if (!(normal.dot (middle) > min_cosine * normal.norm() && range < max_range))
+  if (!(m.dot (rays) > min_cosine * m.norm() * rays.norm() && range < max_range))
     return std::nullopt;
-  const Vector4 residual (normal[0], normal[1], normal[2], -1.);
-  const double squares = std::max (0., residual.dot (products * residual));
-  return Block{range, std::sqrt (squares / (count - 3)) * range * range};
+  const double squares = std::max (0., moments.squaredErrors (m));
+  return Block{range, std::sqrt (squares / (count - 3.)) * range * range};
 }
 
 } // namespace
@@ -137,11 +132,8 @@ DepthNoiseEstimation::estimate (rgbd_planes::DepthNoise& noise) const
     fit = {0., right[1] / products (1, 1)};
   else if (fit[1] < 0.)
     fit = {right[0] / products (0, 0), 0.};
-  noise.constant =
-      std::max (for_larger_surfaces * static_cast<float> (fit[0]), 0.0001f);
-  noise.quadratic =
-      std::max (for_larger_surfaces * static_cast<float> (fit[1]), 0.0002f);
-  noise.max_range = std::numeric_limits<float>::infinity();
+  noise = {std::max (for_larger_surfaces * static_cast<float> (fit[0]), 0.0001f),
+           std::max (for_larger_surfaces * static_cast<float> (fit[1]), 0.0002f)};
   return true;
 }
 

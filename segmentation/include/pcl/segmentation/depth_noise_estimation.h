@@ -33,7 +33,7 @@ namespace pcl {
  * twice that, for larger surfaces come out bent by as much again: on recordings of Kinects,
  * Xtions and a RealSense this gives what DepthNoise::kinectV1 () and activeStereo () have.
  *
- * \ingroup features
+ * \ingroup segmentation
  */
 class PCL_RGBD_PLANES_EXPORTS DepthNoiseEstimation {
 public:
