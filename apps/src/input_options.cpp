@@ -167,6 +167,17 @@ parseBaseTransform (const std::string& text)
   return transform;
 }
 
+std::array<float, 2>
+parseCoefficients (const std::string& option, const std::string& text)
+{
+  const auto values = parseNumbers (option, text, "A,B");
+  const float sum = values[0] + values[1];
+  if (values[0] < 0.f || values[1] < 0.f || sum == 0.f || !std::isfinite (sum))
+    throw AppError (option + ": '" + text +
+                    "' must be two numbers, A,B: 0 or more, and not both 0");
+  return {values[0], values[1]};
+}
+
 void
 addDepthNoiseOption (po::options_description& options)
 {
@@ -176,8 +187,7 @@ addDepthNoiseOption (po::options_description& options)
       "the sensor whose noise and range to expect: kinect_v1, if not said; "
       "structured_light as Xtion, Carmine and Astra; time_of_flight as Kinect v2 and "
       "Azure Kinect; active_stereo as RealSense D4xx; or the standard deviation in "
-      "metres "
-      "of one that sees as far as you like: 0.001,0.002 is 1 mm + 2 mm z^2");
+      "metres of one that sees as far as you like: 0.001,0.002 is 1 mm + 2 mm z^2");
 }
 
 DepthNoise
@@ -200,11 +210,8 @@ readDepthNoise (const po::variables_map& values)
     throw AppError ("--depth-noise: '" + text +
                     "' must be kinect_v1, structured_light, time_of_flight, "
                     "active_stereo or CONSTANT,QUADRATIC");
-  const auto numbers = parseNumbers ("--depth-noise", text, "constant,quadratic");
-  if (numbers[0] < 0.f || numbers[1] < 0.f || numbers[0] + numbers[1] <= 0.f)
-    throw AppError ("--depth-noise: '" + text +
-                    "' must be no less than 0 m, and more at a range of 1 m");
-  return {numbers[0], numbers[1]};
+  const auto [constant, quadratic] = parseCoefficients ("--depth-noise", text);
+  return {constant, quadratic};
 }
 
 std::uint32_t

@@ -6,13 +6,10 @@
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/normal_comparison.h>
 #include <pcl/apps/normal_report.h>
-#include <pcl/apps/parse_number.h>
 
 #include <boost/program_options/value_semantic.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace po = boost::program_options;
 
@@ -33,26 +30,14 @@ without --resolution, each of the three is tried.
   pcl_evaluate_normals my.pcd --resolution qvga
 )";
 
-/** A + B z with "A,B". */
-RadiusFunction
-parseRadius (const std::string& text)
-{
-  std::vector<float> values;
-  std::istringstream stream (text + ',');
-  for (std::string value; std::getline (stream, value, ',');)
-    values.push_back (parseNumber<float> ("--radius: a value", value));
-  if (values.size() != 2 || values[0] < 0.f || values[1] < 0.f ||
-      !std::isfinite (values[0] + values[1]) || values[0] + values[1] == 0.f)
-    throw AppError ("--radius: '" + text +
-                    "' must be two numbers, A,B: 0 or more, and not both 0");
-  return [a = values[0], b = values[1]] (float z) { return a + b * z; };
-}
-
 RadiusFunction
 readRadius (const po::variables_map& values)
 {
-  if (!values.count ("far-reference"))
-    return parseRadius (values["radius"].as<std::string>());
+  if (!values.count ("far-reference")) {
+    const auto [a, b] =
+        parseCoefficients ("--radius", values["radius"].as<std::string>());
+    return [a = a, b = b] (float z) { return a + b * z; };
+  }
   if (!values["radius"].defaulted())
     throw AppError ("--radius and --far-reference exclude each other");
   return [] (float z) { return std::max (0.01f + 0.01f * z, 0.0085f * z * z); };

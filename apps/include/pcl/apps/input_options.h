@@ -9,6 +9,7 @@
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
 
+#include <array>
 #include <string>
 
 namespace pcl {
@@ -39,6 +40,10 @@ extern const char base_transform_help[];
  * this order. AppError where it is not six finite numbers. */
 Eigen::Affine3f
 parseBaseTransform (const std::string& text);
+
+/** \brief The two finite numbers of "A,B", 0 or more and not both 0; AppError for others. */
+std::array<float, 2>
+parseCoefficients (const std::string& option, const std::string& text);
 
 /** \brief Adds --depth-noise. */
 void
