@@ -56,11 +56,13 @@ judgeSamplesHere (PlaneSamples& samples,
     const V curvature = load (&samples.curvature[i]);
     const Mask is_seed =
         hn::AndNot (hn::Gt (curvature, set (maximum_curvature)), has_normal);
+    // Compressing straight into memory is slow on some processors.
     const hn::RebindToUnsigned<Floats> indices;
-    seeds += hn::CompressStore (hn::Iota (indices, static_cast<std::uint32_t> (i)),
-                                hn::RebindMask (indices, is_seed),
-                                indices,
-                                &samples.seeds[seeds]);
+    hn::StoreU (hn::Compress (hn::Iota (indices, static_cast<std::uint32_t> (i)),
+                              hn::RebindMask (indices, is_seed)),
+                indices,
+                &samples.seeds[seeds]);
+    seeds += hn::CountTrue (Floats(), is_seed);
     const Mask is_trusted = hn::AndNot (
         hn::Gt (curvature, set (trusted_share * maximum_curvature)), has_normal);
     const V degrees = hn::MulAdd (range, set (angle_per_metre), set (angle_at_sensor));
