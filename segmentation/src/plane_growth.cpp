@@ -29,6 +29,9 @@ constexpr float min_start_cosine = 0.8f;
 /** The points of a seed may be on several levels where the mean square of their errors, in
  * standard deviations, is larger. */
 constexpr double max_seed_error = 1.;
+/** Those of a plane may be on two that meet at a small angle where it is larger; they are
+ * where the points that the plane of one side claims have less than this share of it. */
+constexpr double min_error_if_bent = 1.5, max_share_if_bent = 0.7;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
  * per metre on the surface, where they turn noticeably. */
@@ -81,6 +84,8 @@ PlaneGrowth::grow (PlaneSamples& samples,
   }
   if (!claimUntilStable (samples, plane, max_sigmas_))
     return Result::too_few_points;
+  if (additions_.bends)
+    unbend (samples, plane);
   // Steps look curved to those who reach too far.
   if (isCurved (samples) &&
       (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) || isCurved (samples))) {
@@ -185,6 +190,22 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
   PlaneMoments moments;
   moments.add (sums, number);
   return moments;
+}
+
+/** Where the claims of \a start are a plane and a part of another one, which meet at a small
+ * angle, grows the one from its side instead. */
+void
+PlaneGrowth::unbend (const PlaneSamples& samples, Plane& start)
+{
+  const double error = sums_.meanSquaredError (sums_.inverseDistance());
+  if (static_cast<double> (sums_.points) < min_points_ || !(error > min_error_if_bent))
+    return;
+  const Plane side = flatterSide (samples);
+  if (claimUntilStable (samples, side, max_sigmas_) &&
+      sums_.meanSquaredError (sums_.inverseDistance()) < max_share_if_bent * error)
+    start = side;
+  else
+    claimUntilStable (samples, start, max_sigmas_);
 }
 
 bool

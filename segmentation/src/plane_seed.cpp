@@ -3,6 +3,7 @@
 
 #include "each_bit.h"
 #include "plane_kernels.h"
+#include "surface_turn.h"
 #include "tile_bits.h"
 
 #include <pcl/segmentation/plane_growth.h>
@@ -199,6 +200,29 @@ PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
       claimed_[i] = 0.f;
   });
   return sumSeed (samples, keepParts (samples));
+}
+
+/** The plane of that half of the claims, from which to the other one the normals turn, whose
+ * points fit better to their own plane. */
+Plane
+PlaneGrowth::flatterSide (const PlaneSamples& samples) const
+{
+  double sums[22];
+  sumNormals (samples, tiles_, claimed_.data(), reference_.data(), sums);
+  const Eigen::Vector3d direction = turnOf (sums, plane_.normal).direction;
+  const double middle = direction.dot (sums_.mean());
+  PlaneMoments sides[2];
+  for (const std::uint32_t tile : tiles_)
+    forEachClaim (tile, [&] (std::size_t i) {
+      const float p[] = {samples.x[i], samples.y[i], samples.z[i]};
+      const double place =
+          direction[0] * p[0] + direction[1] * p[1] + direction[2] * p[2];
+      sides[place > middle].add (p, claimed_[i]);
+    });
+  const auto errorOf = [] (const PlaneMoments& side) {
+    return side.meanSquaredError (side.inverseDistance());
+  };
+  return planeOf (sides[errorOf (sides[1]) < errorOf (sides[0])].inverseDistance());
 }
 
 } // namespace rgbd_planes

@@ -37,7 +37,13 @@ turnOf (const double (&sums)[22], const Eigen::Vector3f& plane_normal)
                                   directions.transpose();
   const Eigen::Matrix2d bend =
       turning * (spread + 1e-9 * Eigen::Matrix2d::Identity()).inverse();
-  return {std::sqrt ((bend * spread * bend.transpose()).trace()), bend.norm()};
+  const Eigen::Matrix2d squares = bend.transpose() * bend;
+  const double angle =
+      0.5 * std::atan2 (2. * squares (0, 1), squares (0, 0) - squares (1, 1));
+  const Eigen::Vector2d direction (std::cos (angle), std::sin (angle));
+  return {std::sqrt ((bend * spread * bend.transpose()).trace()),
+          bend.norm(),
+          directions.transpose() * direction};
 }
 
 } // namespace rgbd_planes

@@ -14,6 +14,8 @@ struct SurfaceTurn {
   double over_all = 0.;
   /** For each metre on the surface, in radians. */
   double per_metre = 0.;
+  /** Along which they turn the most, a unit vector. */
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
 };
 
 /** \brief Fits the normals, seen along two directions in the plane with \a plane_normal, as

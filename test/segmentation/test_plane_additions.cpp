@@ -157,6 +157,40 @@ TEST (PlaneAdditions, GrowthTakesPointsWithoutANormal)
              Labels{unlabelled});
 }
 
+TEST (PlaneAdditions, BendsPartAFloorFromARamp)
+{
+  // 1 m below the camera, which looks down by 30 degrees; the ramp begins 2 m in front of it
+  // and rises by 6 degrees, half to the left.
+  const Eigen::Vector3f forward (0.f, -0.5f, std::sqrt (0.75f)), left (-1.f, 0.f, 0.f),
+      up (0.f, -std::sqrt (0.75f), -0.5f);
+  const float slope = std::tan (6.f * static_cast<float> (M_PI) / 180.f);
+  const Eigen::Vector3f normal =
+      (up - slope * (forward + 0.5f * left) / std::sqrt (1.25f)).normalized();
+  const float ramp = -normal.dot (2.f * forward - up);
+  // The nearer one of the two is seen.
+  const auto isRamp = [=] (int u, int v) {
+    const Eigen::Vector3f ray ((u - 319.5f) / 525.f, (v - 239.5f) / 525.f, 1.f);
+    return ray.dot (normal) < 0.f && -ray.dot (normal) / ramp > -ray.dot (up);
+  };
+  const std::vector<Surface> surfaces{{normal, ramp, isRamp}, {up, 1.f}};
+  const Scene scene = render (surfaces, 640, 480, kinectSigma);
+  const auto normals = estimateNormals (scene.cloud);
+  const auto degrees = [] (const pcl::rgbd_planes::Plane& plane,
+                           const Eigen::Vector3f& n) {
+    return std::acos (std::min (plane.normal.dot (n), 1.f)) * 180.f /
+           static_cast<float> (M_PI);
+  };
+  PlaneAdditions additions;
+  const PlaneExtraction two = extract (*scene.cloud, *normals, additions);
+  ASSERT_EQ (two.planes().size(), 2u);
+  const bool first_is_ramp = degrees (two.planes()[0], normal) < 3.f;
+  EXPECT_LT (degrees (two.planes()[first_is_ramp], up), 0.2f);
+  EXPECT_LT (degrees (two.planes()[!first_is_ramp], normal), 0.2f);
+  additions.bends = false;
+  const PlaneExtraction pieces = extract (*scene.cloud, *normals, additions);
+  EXPECT_GT (pieces.planes().size(), 2u);
+}
+
 TEST (PlaneAdditions, CurvedCandidatesAreRefused)
 {
   // A cylinder of 0.1 m around the vertical line 1.1 m away.

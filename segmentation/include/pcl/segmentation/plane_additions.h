@@ -24,6 +24,8 @@ struct PlaneAdditions {
   /** Candidates grow to all free points on their plane; without, they keep
    * their own. */
   bool growth = true;
+  /** Candidates on two planes that meet at a small angle grow from one side of it. */
+  bool bends = true;
   /** Candidates whose normals turn with the place become no planes. */
   bool curved = true;
   /** What no plane took is clustered once more, with twice the angular threshold. */

@@ -104,6 +104,12 @@ private:
   void
   claimConnected (const PlaneSamples& samples, float max_sigmas);
 
+  void
+  unbend (const PlaneSamples& samples, Plane& start);
+
+  Plane
+  flatterSide (const PlaneSamples& samples) const;
+
   bool
   isCurved (const PlaneSamples& samples) const;
 
