@@ -15,6 +15,6 @@ ln -s "$(pkg-config --variable=includedir libhwy)/hwy" "$headers/hwy"
 mapfile -t files < <(grep -l foreach_target.h */src/*.cpp)
 read -ra options <<<"$(pkg-config --cflags-only-I pcl_common | sed 's/-I/-isystem /g')"
 printf '%s\n' "${files[@]}" | xargs -P 2 -n 1 aarch64-linux-gnu-g++ -std=c++17 -O1 -S -o /dev/null \
-  -Ifeatures/include -Ifilters/include -Isegmentation/include -Ifeatures/src \
+  -I{features,filters,segmentation}/{include,src} \
   -isystem "$headers" "${options[@]}"
 echo "${#files[@]} files compile for 64-bit ARM."
