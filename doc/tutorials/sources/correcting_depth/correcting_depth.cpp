@@ -64,8 +64,11 @@ main (int argc, char** argv)
   std::vector<Cloud::Ptr> clouds;
   for (int i = 1; i < argc; ++i) {
     clouds.push_back (pcl::make_shared<Cloud>());
-    if (pcl::io::loadPCDFile (argv[i], *clouds.back()) != 0)
+    if (pcl::io::loadPCDFile (argv[i], *clouds.back()) != 0 ||
+        !clouds.back()->isOrganized()) {
+      std::fprintf (stderr, "%s is no organized cloud.\n", argv[i]);
       return 1;
+    }
   }
 
   // [rough]

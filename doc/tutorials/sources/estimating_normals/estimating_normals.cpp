@@ -16,8 +16,10 @@ main (int argc, char** argv)
   }
   // [load]
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  if (pcl::io::loadPCDFile (argv[1], *cloud) != 0)
+  if (pcl::io::loadPCDFile (argv[1], *cloud) != 0 || !cloud->isOrganized()) {
+    std::fprintf (stderr, "%s is no organized cloud.\n", argv[1]);
     return 1;
+  }
   // [/load]
 
   // [estimate]

@@ -15,8 +15,10 @@ main (int argc, char** argv)
     return 1;
   }
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  if (pcl::io::loadPCDFile (argv[1], *cloud) != 0)
+  if (pcl::io::loadPCDFile (argv[1], *cloud) != 0 || !cloud->isOrganized()) {
+    std::fprintf (stderr, "%s is no organized cloud.\n", argv[1]);
     return 1;
+  }
 
   // [normals]
   auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
