@@ -30,8 +30,10 @@ constexpr float min_start_cosine = 0.8f;
  * standard deviations, is larger. */
 constexpr double max_seed_error = 1.;
 /** Those of a plane may be on two that meet at a small angle where it is larger; they are
- * where the points that the plane of one side claims have less than this share of it. */
-constexpr double min_error_if_bent = 1.5, max_share_if_bent = 0.7;
+ * where the plane of one side claims at least this share of as many points, whose error is at
+ * most that share of it. On curved surfaces it claims fewer. */
+constexpr double min_error_if_bent = 1.5, min_share_if_bent = 0.8,
+                 max_error_if_bent = 0.7;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
  * per metre on the surface, where they turn noticeably. */
@@ -84,14 +86,15 @@ PlaneGrowth::grow (PlaneSamples& samples,
   }
   if (!claimUntilStable (samples, plane, max_sigmas_))
     return Result::too_few_points;
-  if (additions_.bends)
-    unbend (samples, plane);
-  // Steps look curved to those who reach too far.
-  if (isCurved (samples) &&
-      (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) || isCurved (samples))) {
-    take (samples, curved_surface);
-    return Result::curved;
+  if (isCurved (samples)) {
+    // Steps look curved to those who reach too far.
+    if (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) || isCurved (samples)) {
+      take (samples, curved_surface);
+      return Result::curved;
+    }
   }
+  else if (additions_.bends)
+    unbend (samples, plane);
   if (static_cast<double> (sums_.points) < min_part_share * min_points_)
     return Result::too_few_points;
   take (samples, static_cast<std::int32_t> (moments_.size()));
@@ -195,16 +198,15 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
 /** Where the claims of \a start are a plane and a part of another one, which meet at a small
  * angle, grows the one from its side instead. */
 void
-PlaneGrowth::unbend (const PlaneSamples& samples, Plane& start)
+PlaneGrowth::unbend (const PlaneSamples& samples, const Plane& start)
 {
+  const auto points = static_cast<double> (sums_.points);
   const double error = sums_.meanSquaredError (sums_.inverseDistance());
-  if (static_cast<double> (sums_.points) < min_points_ || !(error > min_error_if_bent))
+  if (points < min_points_ || !(error > min_error_if_bent))
     return;
-  const Plane side = flatterSide (samples);
-  if (claimUntilStable (samples, side, max_sigmas_) &&
-      sums_.meanSquaredError (sums_.inverseDistance()) < max_share_if_bent * error)
-    start = side;
-  else
+  if (!claimUntilStable (samples, flatterSide (samples), max_sigmas_) ||
+      static_cast<double> (sums_.points) < min_share_if_bent * points ||
+      sums_.meanSquaredError (sums_.inverseDistance()) > max_error_if_bent * error)
     claimUntilStable (samples, start, max_sigmas_);
 }
 

@@ -105,7 +105,7 @@ private:
   claimConnected (const PlaneSamples& samples, float max_sigmas);
 
   void
-  unbend (const PlaneSamples& samples, Plane& start);
+  unbend (const PlaneSamples& samples, const Plane& start);
 
   Plane
   flatterSide (const PlaneSamples& samples) const;
