@@ -86,6 +86,14 @@ public:
   /** \brief Declared so that moving copies: what was moved from can be used on. */
   ~NormalSpacePlaneSegmentation() override = default;
 
+  /** \brief The organized cloud to segment. */
+  void
+  setInputCloud (const typename PCLBase<PointT>::PointCloudConstPtr& cloud) override
+  {
+    is_segmented_ = is_segmented_ && cloud == input_;
+    PCLBase<PointT>::setInputCloud (cloud);
+  }
+
   /** \brief One normal for each point of the input cloud, in the same order; of unit length,
    * to 5 % (others are left out), and of any sign. */
   void
@@ -287,8 +295,11 @@ public:
                     std::vector<PointIndices>& label_indices,
                     std::vector<PointIndices>& boundary_indices);
 
-  /** \brief Gives the planes of the last segment () again, which has refined them; other
-   * values passed in are replaced. For pipelines that refine what they segmented. */
+  /** \brief Gives the planes of the last segment () again, which has refined them: what is
+   * passed in is replaced, and planes of other classes are not grown. For pipelines that
+   * refine what they segmented. Without a segment () of the input cloud: an error message, and
+   * the arguments stay as they are.
+   */
   void
   refine (std::vector<ModelCoefficients>& model_coefficients,
           std::vector<PointIndices>& inlier_indices,
@@ -368,6 +379,12 @@ private:
   fillLabels (PointCloudL& labels) const;
 
   void
+  fillRefined (std::vector<ModelCoefficients>& model_coefficients,
+               std::vector<PointIndices>& inlier_indices,
+               PointCloudLPtr& labels,
+               std::vector<PointIndices>& label_indices);
+
+  void
   fillRegions (Regions& regions, std::vector<PointIndices>& boundary_indices);
 
   void
@@ -377,6 +394,7 @@ private:
 
   PointCloudNConstPtr normals_;
   bool project_points_ = false;
+  bool is_segmented_ = false;
   rgbd_planes::PlaneExtraction plane_extraction_;
 
   // Of the last call:
