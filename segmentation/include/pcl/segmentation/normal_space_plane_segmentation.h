@@ -3,6 +3,8 @@
 
 #pragma once
 
+// Programs have pcl::deg2rad from the header of OrganizedMultiPlaneSegmentation.
+#include <pcl/common/angles.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/sensor_points.h>
 #include <pcl/features/set_parameter.h>
@@ -351,7 +353,7 @@ public:
   }
 
 protected:
-  std::string
+  virtual std::string
   getClassName () const
   {
     return "NormalSpacePlaneSegmentation";
