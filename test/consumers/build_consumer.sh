@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# build_consumer.sh find_package|add_subdirectory|pkg_config SOURCE PREFIX LIBDIR: builds the
-# program of README.md against this project, installed to PREFIX, and runs it on a plane.
+# build_consumer.sh find_package|habits|add_subdirectory|pkg_config SOURCE PREFIX LIBDIR: builds
+# the program of README.md against this project, installed to PREFIX, and runs it on a plane.
 set -euo pipefail
 way=$1 source=$2 prefix=$3 libdir=$4
 work=$(mktemp -d)
@@ -16,10 +16,15 @@ readme_block() {
 readme_block cpp >"$work/planes.cpp"
 
 case $way in
-  find_package)
-    readme_block cmake >"$work/CMakeLists.txt"
+  find_package | habits)
+    if [ "$way" = habits ]; then
+      cp "$source"/test/consumers/habits/* "$work"
+    else
+      readme_block cmake >"$work/CMakeLists.txt"
+    fi
     cmake -S "$work" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" >"$work/log" 2>&1 ||
       { cat "$work/log"; exit 1; }
+    if grep "CMP0074 is not set" "$work/log"; then exit 1; fi
     cmake --build "$work/build"
     ;;
   add_subdirectory)
@@ -32,8 +37,8 @@ case $way in
     mkdir "$work/build"
     export PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig
     # shellcheck disable=SC2046,SC2086
-    c++ ${CXXFLAGS:-} "$work/planes.cpp" -o "$work/build/planes" \
-      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io)
+    c++ "$work/planes.cpp" -o "$work/build/planes" \
+      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io) ${CXXFLAGS:-}
     export LD_LIBRARY_PATH=$prefix/$libdir
     ;;
 esac

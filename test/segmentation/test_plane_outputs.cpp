@@ -249,6 +249,48 @@ TEST (PlaneRegions, RefiningGivesWhatWasFound)
   expectSame (found, refined);
 }
 
+/** It replaced the planes that a caller had by none, without a word. */
+TEST (PlaneRegions, RefiningWhatIsNotSegmentedIsAnErrorAndChangesNothing)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  std::vector<pcl::ModelCoefficients> models (2);
+  std::vector<pcl::PointIndices> inliers (2), label_indices (3);
+  auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>> (4, 5);
+  Ours segmentation;
+  const auto errorOfRefining = [&] {
+    testing::internal::CaptureStderr();
+    segmentation.refine (models, inliers, labels, label_indices);
+    return testing::internal::GetCapturedStderr();
+  };
+  const auto expectRefused = [&] {
+    const std::string error = errorOfRefining();
+    EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1);
+    EXPECT_NE (error.find ("call segment () first"), std::string::npos) << error;
+    EXPECT_EQ (models.size(), 2u);
+    EXPECT_EQ (inliers.size(), 2u);
+    EXPECT_EQ (label_indices.size(), 3u);
+    EXPECT_EQ (labels->size(), 20u);
+  };
+  expectRefused();
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (estimateNormals (scene.cloud));
+  expectRefused();
+  std::vector<pcl::ModelCoefficients> found;
+  std::vector<pcl::PointIndices> points;
+  segmentation.segment (found, points);
+  segmentation.setInputCloud (pcl::make_shared<Cloud> (*scene.cloud));
+  expectRefused();
+
+  segmentation.segment (found, points);
+  segmentation.setInputCloud (segmentation.getInputCloud());
+  EXPECT_EQ (errorOfRefining(), "") << "the same cloud";
+  EXPECT_EQ (models.size(), found.size());
+  segmentation.setInputNormals (nullptr);
+  segmentation.segment (found, points);
+  EXPECT_EQ (errorOfRefining(), "") << "segment() has told";
+  EXPECT_TRUE (models.empty());
+}
+
 TEST (PlaneRegions, BadInputGivesNone)
 {
   const Scene scene = render (corner(), 320, 240);

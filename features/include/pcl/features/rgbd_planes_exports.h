@@ -3,6 +3,11 @@
 
 #pragma once
 
+// MSVC says 199711L in __cplusplus, whatever it compiles.
+#if defined(_MSVC_LANG) ? _MSVC_LANG < 201703L : __cplusplus < 201703L
+#error "pcl_rgbd_planes needs C++17: compile with -std=c++17, also in CMAKE_CXX_FLAGS"
+#endif
+
 #include <Eigen/Core>
 
 /** PCL's own PCL_EXPORTS is empty on Linux, so that consumers built with hidden

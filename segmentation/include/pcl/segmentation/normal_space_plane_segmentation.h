@@ -3,6 +3,8 @@
 
 #pragma once
 
+// Programs have pcl::deg2rad from the header of OrganizedMultiPlaneSegmentation.
+#include <pcl/common/angles.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/sensor_points.h>
 #include <pcl/features/set_parameter.h>
@@ -85,6 +87,14 @@ public:
 
   /** \brief Declared so that moving copies: what was moved from can be used on. */
   ~NormalSpacePlaneSegmentation() override = default;
+
+  /** \brief The organized cloud to segment. */
+  void
+  setInputCloud (const typename PCLBase<PointT>::PointCloudConstPtr& cloud) override
+  {
+    is_segmented_ = is_segmented_ && cloud == input_;
+    PCLBase<PointT>::setInputCloud (cloud);
+  }
 
   /** \brief One normal for each point of the input cloud, in the same order; of unit length,
    * to 5 % (others are left out), and of any sign. */
@@ -287,8 +297,11 @@ public:
                     std::vector<PointIndices>& label_indices,
                     std::vector<PointIndices>& boundary_indices);
 
-  /** \brief Gives the planes of the last segment () again, which has refined them; other
-   * values passed in are replaced. For pipelines that refine what they segmented. */
+  /** \brief Gives the planes of the last segment () again, which has refined them: what is
+   * passed in is replaced, and planes of other classes are not grown. For pipelines that
+   * refine what they segmented. Without a segment () of the input cloud: an error message, and
+   * the arguments stay as they are.
+   */
   void
   refine (std::vector<ModelCoefficients>& model_coefficients,
           std::vector<PointIndices>& inlier_indices,
@@ -340,7 +353,7 @@ public:
   }
 
 protected:
-  std::string
+  virtual std::string
   getClassName () const
   {
     return "NormalSpacePlaneSegmentation";
@@ -368,6 +381,12 @@ private:
   fillLabels (PointCloudL& labels) const;
 
   void
+  fillRefined (std::vector<ModelCoefficients>& model_coefficients,
+               std::vector<PointIndices>& inlier_indices,
+               PointCloudLPtr& labels,
+               std::vector<PointIndices>& label_indices);
+
+  void
   fillRegions (Regions& regions, std::vector<PointIndices>& boundary_indices);
 
   void
@@ -377,6 +396,7 @@ private:
 
   PointCloudNConstPtr normals_;
   bool project_points_ = false;
+  bool is_segmented_ = false;
   rgbd_planes::PlaneExtraction plane_extraction_;
 
   // Of the last call:

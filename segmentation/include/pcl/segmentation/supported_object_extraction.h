@@ -329,8 +329,8 @@ public:
   }
 
   /** \brief Finds the objects.
-   * \param[in] model_coefficients a, b, c, d of each plane, a x + b y + c z + d = 0; the normal
-   * faces the sensor and has unit length
+   * \param[in] model_coefficients a, b, c, d of each plane, a x + b y + c z + d = 0; of any
+   * length and sign, as those of SACSegmentation
    * \param[in] inlier_indices the points of each plane, in ascending order
    * \param[out] objects the objects
    */

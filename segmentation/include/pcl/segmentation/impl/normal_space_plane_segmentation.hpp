@@ -60,6 +60,7 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 {
+  is_segmented_ = true;
   if (checkInput()) {
     rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
     const PointNT& first = normals_->front();
@@ -152,6 +153,21 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillLabels (
   labels.resize (width_, label_of_point.size() / width_);
   for (std::size_t i = 0; i < label_of_point.size(); ++i)
     labels[i].label = label_of_point[i];
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRefined (
+    std::vector<ModelCoefficients>& model_coefficients,
+    std::vector<PointIndices>& inlier_indices,
+    PointCloudLPtr& labels,
+    std::vector<PointIndices>& label_indices)
+{
+  fillModels (model_coefficients, inlier_indices);
+  label_indices = inlier_indices;
+  if (!labels)
+    labels = pcl::make_shared<PointCloudL>();
+  fillLabels (*labels);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -264,7 +280,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segmentAndRefine (
     std::vector<PointIndices>& boundary_indices)
 {
   extract();
-  refine (model_coefficients, inlier_indices, labels, label_indices);
+  fillRefined (model_coefficients, inlier_indices, labels, label_indices);
   fillRegions (regions, boundary_indices);
 }
 
@@ -276,11 +292,13 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::refine (
     PointCloudLPtr& labels,
     std::vector<PointIndices>& label_indices)
 {
-  fillModels (model_coefficients, inlier_indices);
-  label_indices = inlier_indices;
-  if (!labels)
-    labels = pcl::make_shared<PointCloudL>();
-  fillLabels (*labels);
+  if (is_segmented_)
+    fillRefined (model_coefficients, inlier_indices, labels, label_indices);
+  else
+    PCL_ERROR (
+        "[pcl::%s::refine] The input cloud is not segmented: call segment () first, "
+        "for refine () gives the planes that it found.\n",
+        getClassName().c_str());
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
