@@ -180,8 +180,12 @@ PlaneExtraction::growParts()
   for (const auto& component : components_.components()) {
     const auto normal_cluster = static_cast<std::size_t> (
         distance_clusters_.normalClusters()[component.cluster()]);
-    switch (growth_.grow (
-        samples_, component, normal_clusters_.meanNormals()[normal_cluster])) {
+    const Eigen::Vector3f& normal = normal_clusters_.meanNormals()[normal_cluster];
+    auto result = PlaneGrowth::Result::side_of_bend;
+    while (result == PlaneGrowth::Result::side_of_bend)
+      result = growth_.grow (samples_, component, normal);
+    switch (result) {
+    case PlaneGrowth::Result::side_of_bend:
     case PlaneGrowth::Result::plane:
       break;
     case PlaneGrowth::Result::too_few_points:

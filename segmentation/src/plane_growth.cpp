@@ -29,11 +29,11 @@ constexpr float min_start_cosine = 0.8f;
 /** The points of a seed may be on several levels where the mean square of their errors, in
  * standard deviations, is larger. */
 constexpr double max_seed_error = 1.;
-/** Those of a plane may be on two that meet at a small angle where it is larger; they are
- * where the plane of one side claims at least this share of as many points, whose error is at
- * most that share of it. On curved surfaces it claims fewer. */
-constexpr double min_error_if_bent = 1.5, min_share_if_bent = 0.8,
-                 max_error_if_bent = 0.7;
+/** Those of a plane may be on several that meet at small angles where it is larger. They are
+ * where those that the plane of one side claims have at most such an error, which is at most
+ * this share of what it was, and normals that turn by less. */
+constexpr double min_error_if_bent = 1.5, max_error_of_side = 2.5,
+                 max_share_of_side = 0.7, max_turn_of_side = 0.05;
 /** Normals of a plane turn, from one side to the other, by less than this root mean
  * square, in radians at the sensor and for each metre of range; and by less than this
  * per metre on the surface, where they turn noticeably. */
@@ -86,6 +86,7 @@ PlaneGrowth::grow (PlaneSamples& samples,
   }
   if (!claimUntilStable (samples, plane, max_sigmas_))
     return Result::too_few_points;
+  bool is_side = false;
   if (isCurved (samples)) {
     // Steps look curved to those who reach too far.
     if (!claimUntilStable (samples, plane, 0.5f * max_sigmas_) || isCurved (samples)) {
@@ -94,12 +95,12 @@ PlaneGrowth::grow (PlaneSamples& samples,
     }
   }
   else if (additions_.bends)
-    unbend (samples, plane);
+    is_side = unbend (samples, plane);
   if (static_cast<double> (sums_.points) < min_part_share * min_points_)
     return Result::too_few_points;
   take (samples, static_cast<std::int32_t> (moments_.size()));
   moments_.push_back (sums_);
-  return Result::plane;
+  return is_side ? Result::side_of_bend : Result::plane;
 }
 
 /** Leaves the plane, its claims, and their sums. */
@@ -195,19 +196,32 @@ PlaneGrowth::sumOver (const PlaneSamples& samples,
   return moments;
 }
 
-/** Where the claims of \a start are a plane and a part of another one, which meet at a small
- * angle, grows the one from its side instead. */
-void
+/** Where the claims of \a start are on several planes that meet at small angles, grows one of
+ * them instead.
+ * \return whether they are */
+bool
 PlaneGrowth::unbend (const PlaneSamples& samples, const Plane& start)
 {
-  const auto points = static_cast<double> (sums_.points);
-  const double error = sums_.meanSquaredError (sums_.inverseDistance());
-  if (points < min_points_ || !(error > min_error_if_bent))
-    return;
-  if (!claimUntilStable (samples, flatterSide (samples), max_sigmas_) ||
-      static_cast<double> (sums_.points) < min_share_if_bent * points ||
-      sums_.meanSquaredError (sums_.inverseDistance()) > max_error_if_bent * error)
-    claimUntilStable (samples, start, max_sigmas_);
+  const auto errorNow = [this] {
+    return sums_.meanSquaredError (sums_.inverseDistance());
+  };
+  const double error = errorNow();
+  if (static_cast<double> (sums_.points) < min_points_ || !(error > min_error_if_bent))
+    return false;
+  const double max_error = std::min (max_error_of_side, max_share_of_side * error);
+  if (claimUntilStable (samples, flatPart (samples), max_sigmas_) &&
+      errorNow() < max_error && turn (samples).over_all < max_turn_of_side)
+    return true;
+  claimUntilStable (samples, start, max_sigmas_);
+  return false;
+}
+
+SurfaceTurn
+PlaneGrowth::turn (const PlaneSamples& samples) const
+{
+  double sums[22];
+  sumNormals (samples, tiles_, claimed_.data(), reference_.data(), sums);
+  return turnOf (sums, plane_.normal);
 }
 
 bool
@@ -215,11 +229,9 @@ PlaneGrowth::isCurved (const PlaneSamples& samples) const
 {
   if (!additions_.curved)
     return false;
-  double sums[22];
-  sumNormals (samples, tiles_, claimed_.data(), reference_.data(), sums);
-  const SurfaceTurn turn = turnOf (sums, plane_.normal);
-  return turn.over_all > max_turn + max_turn_per_metre * reference_.norm() ||
-         (turn.per_metre > max_bend && turn.over_all > min_bent_turn);
+  const SurfaceTurn now = turn (samples);
+  return now.over_all > max_turn + max_turn_per_metre * reference_.norm() ||
+         (now.per_metre > max_bend && now.over_all > min_bent_turn);
 }
 
 void

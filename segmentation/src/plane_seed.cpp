@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -24,6 +25,11 @@ constexpr int max_level = 64;
 constexpr std::size_t level_width = 3;
 /** Parts of it that do not touch differ by less. */
 constexpr float max_part_height = 1.f;
+/** Parts of bent claims are made of so many strips, and have this share of the points of a
+ * plane; one plane fits where the mean square of the errors, in standard deviations, is
+ * smaller. */
+constexpr std::size_t part_strips = 16;
+constexpr double min_part_share = 0.2, max_part_error = 1.2;
 
 /** The numbers of points at each height, in standard deviations. */
 class Levels {
@@ -202,27 +208,54 @@ PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
   return sumSeed (samples, keepParts (samples));
 }
 
-/** The plane of that half of the claims, from which to the other one the normals turn, whose
- * points fit better to their own plane. */
+/** The plane of the largest part of the claims that one plane fits, between two lines across
+ * the direction in which their normals turn; if none does, of the part which it fits best. */
 Plane
-PlaneGrowth::flatterSide (const PlaneSamples& samples) const
+PlaneGrowth::flatPart (const PlaneSamples& samples) const
 {
-  double sums[22];
-  sumNormals (samples, tiles_, claimed_.data(), reference_.data(), sums);
-  const Eigen::Vector3d direction = turnOf (sums, plane_.normal).direction;
-  const double middle = direction.dot (sums_.mean());
-  PlaneMoments sides[2];
-  for (const std::uint32_t tile : tiles_)
-    forEachClaim (tile, [&] (std::size_t i) {
-      const float p[] = {samples.x[i], samples.y[i], samples.z[i]};
-      const double place =
-          direction[0] * p[0] + direction[1] * p[1] + direction[2] * p[2];
-      sides[place > middle].add (p, claimed_[i]);
-    });
-  const auto errorOf = [] (const PlaneMoments& side) {
-    return side.meanSquaredError (side.inverseDistance());
+  const Eigen::Vector3f direction = turn (samples).direction.cast<float>();
+  const auto forEachPlace = [&] (const auto& visit) {
+    for (const std::uint32_t tile : tiles_)
+      forEachClaim (tile, [&] (std::size_t i) {
+        visit (i,
+               direction[0] * samples.x[i] + direction[1] * samples.y[i] +
+                   direction[2] * samples.z[i]);
+      });
   };
-  return planeOf (sides[errorOf (sides[1]) < errorOf (sides[0])].inverseDistance());
+  float first = std::numeric_limits<float>::infinity(), last = -first;
+  forEachPlace ([&] (std::size_t, float place) {
+    first = std::min (first, place);
+    last = std::max (last, place);
+  });
+  std::array<PlaneMoments, part_strips> strips;
+  constexpr float min_extent = 1e-6f;
+  const float strips_per_place = part_strips / std::max (last - first, min_extent);
+  forEachPlace ([&] (std::size_t i, float place) {
+    const float p[] = {samples.x[i], samples.y[i], samples.z[i]};
+    const auto strip = static_cast<std::size_t> (strips_per_place * (place - first));
+    strips[std::min (strip, part_strips - 1)].add (p, claimed_[i]);
+  });
+
+  Plane best = plane_;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t most = 0;
+  for (std::size_t begin = 0; begin < part_strips; ++begin) {
+    PlaneMoments part;
+    for (std::size_t end = begin; end < part_strips; ++end) {
+      part += strips[end];
+      if (static_cast<double> (part.points) <
+          std::max (4., min_part_share * min_points_))
+        continue;
+      const Eigen::Vector3d m = part.inverseDistance();
+      const double error = std::max (part.meanSquaredError (m), max_part_error);
+      if (error < least || (error == least && part.points > most)) {
+        least = error;
+        most = part.points;
+        best = planeOf (m);
+      }
+    }
+  }
+  return best;
 }
 
 } // namespace rgbd_planes

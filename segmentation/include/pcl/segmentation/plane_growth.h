@@ -18,6 +18,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
+struct SurfaceTurn;
+
 /** \brief Grows planes from connected parts of clusters, one after the other: a plane is
  * fitted to the points of a part, claims the free points on it that hang together with
  * the part in the image, and is fitted to these, until it claims the same ones.
@@ -28,7 +30,9 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneGrowth {
 public:
-  enum class Result { plane, too_few_points, curved, claimed_by_larger };
+  /** Of several planes that meet at small angles, one: the others may grow from the same
+   * seed. */
+  enum class Result { plane, side_of_bend, too_few_points, curved, claimed_by_larger };
 
   static constexpr std::int32_t none = -1, curved_surface = -2;
 
@@ -104,11 +108,14 @@ private:
   void
   claimConnected (const PlaneSamples& samples, float max_sigmas);
 
-  void
+  bool
   unbend (const PlaneSamples& samples, const Plane& start);
 
   Plane
-  flatterSide (const PlaneSamples& samples) const;
+  flatPart (const PlaneSamples& samples) const;
+
+  SurfaceTurn
+  turn (const PlaneSamples& samples) const;
 
   bool
   isCurved (const PlaneSamples& samples) const;
