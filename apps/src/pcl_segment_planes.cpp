@@ -7,6 +7,7 @@
 #include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/input_notices.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/labelled_point.h>
@@ -160,6 +161,7 @@ writeFrame (const Options& options,
 std::vector<FrameSummary>
 segmentFrames (const std::vector<FrameSource>& source,
                const Options& options,
+               InputNotices& notices,
                OutputFiles& files)
 {
   FrameSegmenter segmenter (options.segmenter);
@@ -179,6 +181,7 @@ segmentFrames (const std::vector<FrameSource>& source,
     const Frame frame =
         correction ? correction->correct (measured, min_inliers (measured)) : measured;
     summaries.push_back (segmenter.segment (frame));
+    notices.add (measured, summaries.back());
     if (options.output)
       writeFrame (options, frame, segmenter, summaries.back(), files);
     summaries.back().freeIndices();
@@ -207,7 +210,8 @@ segmentPlanes (int argc, char** argv)
     files.protect ({options->corrected->file});
   prepareOutput (*options, files);
 
-  const auto summaries = segmentFrames (source, *options, files);
+  InputNotices notices (options->segmenter);
+  const auto summaries = segmentFrames (source, *options, notices, files);
 
   const std::string json = resultJson (options->input, summaries);
   if (options->output) {
@@ -230,6 +234,8 @@ segmentPlanes (int argc, char** argv)
   printStageTimes (std::cout, summaries);
   flushOutput();
   files.commit();
+  for (const auto& line : notices.lines())
+    std::cerr << "pcl_segment_planes: " << line << '\n';
 }
 
 } // namespace
