@@ -618,4 +618,10 @@ TEST_F (SegmentPlanes, RefusesWhatIsNoWarpOfTheCamera)
   broken[7].intensity = std::numeric_limits<float>::infinity();
   pcl::io::savePCDFileBinary (folder_ / "broken.pcd", broken);
   expectRefused ("sim:corridor --corrected broken.pcd", "no warp");
+  for (const float value : {0.3f, -10.f, 100.f}) {
+    for (auto& point : broken)
+      point.intensity = value;
+    pcl::io::savePCDFileBinary (folder_ / "broken.pcd", broken);
+    expectRefused ("sim:corridor --corrected broken.pcd", "-0.2 to 0.2 / m");
+  }
 }
