@@ -213,7 +213,7 @@ segmentPlanes (int argc, char** argv)
   InputNotices notices (options->segmenter);
   const auto summaries = segmentFrames (source, *options, notices, files);
 
-  const std::string json = resultJson (options->input, summaries);
+  const std::string json = resultJson (source.front().options(), summaries);
   if (options->output) {
     files.write (*options->output / "result.json", json);
     files.write (*options->output / "planes.csv", planesCsv (summaries));
