@@ -77,7 +77,10 @@ readOptions (int argc, char** argv)
       "with "
       "--obstacles FRAME_obstacles.png and FRAME_scan.csv; for all frames planes.csv, "
       "objects.csv, obstacles.csv and result.json; with --corrected camera warp.pcd, "
-      "the error of depth for later runs, and warp.png") (
+      "the error of depth for later runs, and warp.png. Planes and objects have "
+      "colours of their own; boxes are white, of what is not graspable red; floor is "
+      "green, obstacles red to yellow, drop-offs blue to magenta, specks white; black "
+      "is no depth, or beyond the range of the sensor") (
       "json",
       po::value<std::string>()->value_name ("FILE"),
       "write the result as JSON");
