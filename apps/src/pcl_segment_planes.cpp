@@ -53,12 +53,13 @@ after an error there are none.
 
 )";
 
-/** Nothing where only help was asked for, which is printed. */
+/** Nothing where only help or the version was asked for, which is printed. */
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
   po::options_description options ("Options", help_width);
-  options.add_options() ("help", "print this help") (
+  addHelpOptions (options);
+  options.add_options() (
       "min-inliers",
       po::value<std::string>()->value_name ("N"),
       "drop planes with fewer points; by default 1000 for 640 x 480 pixels and in "
@@ -88,6 +89,8 @@ readOptions (int argc, char** argv)
   addCorrectedOption (options);
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
+  if (printVersion (values))
+    return std::nullopt;
   if (values.count ("help")) {
     std::cout << usage << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;

@@ -459,6 +459,8 @@ TEST_F (SegmentPlanes, HelpIsNoError)
   EXPECT_EQ (result.code, 0);
   EXPECT_EQ (result.err, "");
   EXPECT_NE (result.out.find ("INPUT"), std::string::npos);
+  EXPECT_EQ (run ("-h").out, result.out);
+  EXPECT_EQ (run ("--version").out.rfind ("pcl_rgbd_planes 0.", 0), 0u);
   for (const auto& scene : sceneNames())
     EXPECT_NE (result.out.find (scene), std::string::npos) << scene;
 }
