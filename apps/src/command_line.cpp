@@ -6,12 +6,28 @@
 
 #include <boost/program_options.hpp>
 
+#include <iostream>
 #include <vector>
 
 namespace po = boost::program_options;
 
 namespace pcl {
 namespace rgbd_planes {
+
+void
+addHelpOptions (po::options_description& options)
+{
+  options.add_options() ("help,h", "print this help") ("version", "print the version");
+}
+
+bool
+printVersion (const po::variables_map& values)
+{
+  if (!values.count ("version"))
+    return false;
+  std::cout << "pcl_rgbd_planes " PCL_RGBD_PLANES_VERSION "\n";
+  return true;
+}
 
 po::variables_map
 parseCommandLine (int argc,

@@ -46,12 +46,14 @@ readCorrected (const po::variables_map& values)
     throw AppError ("--corrected: '" + source +
                     "' must be frame, camera or a .pcd file");
   CorrectedOption option{WarpSource::file, source, readIntensityPcd (source)};
-  const auto isFinite = [] (const auto& point) {
-    return std::isfinite (point.intensity);
+  // Ten times as much as cameras have, for their warp grows where no plane tells it.
+  const auto isWarp = [] (const auto& point) {
+    return std::fabs (point.intensity) <= 0.2f;
   };
-  if (!std::all_of (option.warp.begin(), option.warp.end(), isFinite))
-    throw AppError (source +
-                    ": this is no warp of depth, which is finite; give a warp.pcd");
+  if (!std::all_of (option.warp.begin(), option.warp.end(), isWarp))
+    throw AppError (
+        source + ": this is no warp of depth, whose values are from -0.2 to 0.2 / m; "
+                 "give a warp.pcd that pcl_segment_planes wrote");
   return option;
 }
 

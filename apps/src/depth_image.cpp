@@ -41,6 +41,20 @@ void
 onPngWarning (png_structp, png_const_charp)
 {}
 
+using File = std::unique_ptr<std::FILE, int (*) (std::FILE*)>;
+
+/** Null where the file cannot be opened. */
+File
+open (const std::string& path, PngReader& reader)
+{
+  reader.png =
+      png_create_read_struct (PNG_LIBPNG_VER_STRING, &reader, onPngError, onPngWarning);
+  reader.info = reader.png ? png_create_info_struct (reader.png) : nullptr;
+  if (!reader.info)
+    throw std::bad_alloc();
+  return {std::fopen (path.c_str(), "rb"), &std::fclose};
+}
+
 bool
 readHeader (PngReader& reader, std::FILE* file, DepthImage& image)
 {
@@ -73,19 +87,22 @@ readPixels (PngReader& reader, DepthImage& image)
 
 } // namespace
 
+bool
+isOtherPng (const std::string& path)
+{
+  PngReader reader;
+  const File file = open (path, reader);
+  DepthImage image;
+  return file && readHeader (reader, file.get(), image) && !reader.is_depth;
+}
+
 DepthImage
 readDepthPng (const std::string& path)
 {
-  const std::unique_ptr<std::FILE, int (*) (std::FILE*)> file (
-      std::fopen (path.c_str(), "rb"), &std::fclose);
+  PngReader reader;
+  const File file = open (path, reader);
   if (!file)
     throw AppError (path + ": cannot open this file: " + std::strerror (errno));
-  PngReader reader;
-  reader.png =
-      png_create_read_struct (PNG_LIBPNG_VER_STRING, &reader, onPngError, onPngWarning);
-  reader.info = reader.png ? png_create_info_struct (reader.png) : nullptr;
-  if (!reader.info)
-    throw std::bad_alloc();
 
   DepthImage image;
   if (!readHeader (reader, file.get(), image))
@@ -119,8 +136,10 @@ toCloud (const DepthImage& image, const Intrinsics& intrinsics, float units_per_
   std::size_t i = 0;
   for (std::uint32_t v = 0; v < image.height; ++v)
     for (std::uint32_t u = 0; u < image.width; ++u, ++i) {
-      const float z =
-          image.depth[i] ? static_cast<float> (image.depth[i]) / units_per_metre : nan;
+      const std::uint16_t depth = image.depth[i];
+      const float z = depth == 0 || depth == 65535
+                          ? nan
+                          : static_cast<float> (depth) / units_per_metre;
       auto& point = (*cloud)[i];
       point.x = (static_cast<float> (u) - intrinsics.cx) * z / intrinsics.fx;
       point.y = (static_cast<float> (v) - intrinsics.cy) * z / intrinsics.fy;

@@ -55,11 +55,13 @@ number (double value, const char* format)
 
 } // namespace
 
-DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& steps)
+DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& steps,
+                                          const DepthNoise& noise)
 : runs_ (steps.size())
 {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     runs_[i].step = steps[i];
+    runs_[i].pipeline.setDepthNoise (noise);
     results_.push_back ({resolutionName (steps[i]), {}, {}, {}});
   }
 }

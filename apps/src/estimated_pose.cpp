@@ -9,19 +9,26 @@
 namespace pcl {
 namespace rgbd_planes {
 
-std::optional<Eigen::Affine3f>
-estimateCameraToBase (const std::vector<pcl::ModelCoefficients>& planes)
+std::size_t
+findLikelyFloor (const std::vector<pcl::ModelCoefficients>& planes)
 {
-  if (planes.empty())
-    return std::nullopt;
   constexpr float min_cosine = 0.5f;
   const auto facing_up = std::find_if (
       planes.begin(), planes.end(), [] (const pcl::ModelCoefficients& plane) {
         return -plane.values[1] >= min_cosine;
       });
-  const auto& floor = facing_up != planes.end() ? *facing_up : planes.front();
-  return cameraToBaseFromFloor (
-      Eigen::Map<const Eigen::Vector4f> (floor.values.data()));
+  return facing_up != planes.end()
+             ? static_cast<std::size_t> (facing_up - planes.begin())
+             : 0;
+}
+
+std::optional<Eigen::Affine3f>
+estimateCameraToBase (const std::vector<pcl::ModelCoefficients>& planes)
+{
+  if (planes.empty())
+    return std::nullopt;
+  return cameraToBaseFromFloor (Eigen::Map<const Eigen::Vector4f> (
+      planes[findLikelyFloor (planes)].values.data()));
 }
 
 } // namespace rgbd_planes

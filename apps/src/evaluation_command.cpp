@@ -46,12 +46,17 @@ readEvaluationCommand (int argc,
                        const po::options_description& own)
 {
   po::options_description options ("Options", help_width);
-  options.add_options() ("help", "print this help") (
+  addHelpOptions (options);
+  options.add_options() (
       "json", po::value<std::string>()->value_name ("FILE"), "write the table as JSON");
-  options.add (own).add (inputOptionsDescription());
+  if (!own.options().empty())
+    options.add (own);
+  options.add (inputOptionsDescription());
   EvaluationCommand command;
   command.values = parseCommandLine (argc, argv, options, "input", -1);
   const po::variables_map& values = command.values;
+  if (printVersion (values))
+    return std::nullopt;
   if (values.count ("help")) {
     std::cout << usage << '\n' << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;

@@ -34,6 +34,12 @@ summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
   return plane;
 }
 
+bool
+isKnown (PoseSource pose)
+{
+  return pose == PoseSource::given || pose == PoseSource::simulated;
+}
+
 } // namespace
 
 unsigned
@@ -107,12 +113,9 @@ FrameSegmenter::segment (const Frame& frame)
   segmentation_.setMinInliers (summary.min_inliers);
   segmentation_.segment (coefficients_, inliers_, *labels_);
   summary.rejections = segmentation_.getRejections();
-  const auto camera_to_base =
-      options_.camera_to_base ? options_.camera_to_base : frame.camera_to_base;
-  summary.camera_to_base =
-      camera_to_base ? camera_to_base : estimateCameraToBase (coefficients_);
+  findPose (frame, summary);
   if (options_.find_objects)
-    findObjects (frame, camera_to_base.has_value(), summary);
+    findObjects (frame, summary);
   if (options_.find_obstacles)
     findObstacles (frame, summary);
   summary.times.total = total.milliseconds();
@@ -121,26 +124,43 @@ FrameSegmenter::segment (const Frame& frame)
   summary.times.distance_space = 1e3 * seconds.distance_space;
   summary.times.refinement = 1e3 * seconds.refinement;
 
+  const auto known_pose =
+      isKnown (summary.pose) ? summary.camera_to_base : std::nullopt;
   for (std::size_t id = 0; id < inliers_.size(); ++id) {
     summary.planes.push_back (
         summarize (cloud, coefficients_[id], inliers_[id].indices));
     summary.planes.back().plane_class =
-        planeClass (summary.planes.back().coefficients, camera_to_base);
+        planeClass (summary.planes.back().coefficients, known_pose);
     summary.labelled_points += inliers_[id].indices.size();
   }
   return summary;
 }
 
 void
-FrameSegmenter::findObjects (const Frame& frame,
-                             bool pose_is_known,
-                             FrameSummary& summary)
+FrameSegmenter::findPose (const Frame& frame, FrameSummary& summary) const
+{
+  if (options_.camera_to_base) {
+    summary.pose = PoseSource::given;
+    summary.camera_to_base = options_.camera_to_base;
+  }
+  else if (frame.camera_to_base) {
+    summary.pose = PoseSource::simulated;
+    summary.camera_to_base = frame.camera_to_base;
+  }
+  else if ((summary.camera_to_base = estimateCameraToBase (coefficients_))) {
+    summary.pose = PoseSource::estimated;
+    summary.floor = findLikelyFloor (coefficients_);
+  }
+}
+
+void
+FrameSegmenter::findObjects (const Frame& frame, FrameSummary& summary)
 {
   const Stopwatch watch;
   if (summary.camera_to_base)
     extraction_.setCameraToBase (*summary.camera_to_base);
   constexpr double anywhere = 2.; // what has height 0 may be a table
-  if (!pose_is_known)
+  if (!isKnown (summary.pose))
     extraction_.setPlaneHeights (-anywhere, anywhere);
   extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
   extraction_.setSplitAtConcaveEdges (true);

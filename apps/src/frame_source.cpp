@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -46,6 +47,24 @@ readDepthImage (const fs::path& file, const DepthCamera& camera)
         std::to_string (image.height) +
         " pixels, for which no camera is known: add --intrinsics fx,fy,cx,cy");
   return toCloud (image, camera.intrinsics, camera.units_per_metre);
+}
+
+/** Without the pictures of other kinds that lie between them, of which there is a word. */
+std::vector<fs::path>
+listDepthImages (const fs::path& folder)
+{
+  auto files = listFrames (folder, ".png");
+  // A pipe can be read only once.
+  const auto others =
+      std::stable_partition (files.begin(), files.end(), [] (const auto& file) {
+        return !fs::is_regular_file (file) || !isOtherPng (file);
+      });
+  if (others != files.begin() && others != files.end()) {
+    std::cerr << folder.string() << ": " << files.end() - others << " of "
+              << files.size() << " .png files are no depth images and left out\n";
+    files.erase (others, files.end());
+  }
+  return files;
 }
 
 void
@@ -182,7 +201,7 @@ FrameSource::addFolder (const fs::path& folder)
     return addTumFolder (folder);
   auto files = listFrames (folder, ".pcd");
   if (files.empty())
-    files = listFrames (folder, ".png");
+    files = listDepthImages (folder);
   if (files.empty())
     throw AppError (folder.string() +
                     ": no .pcd, no .png and no depth.txt in this folder" +
@@ -223,9 +242,10 @@ FrameSource::addTumFolder (const fs::path& folder)
   // The calibrations the benchmark recommends for its registered depth images.
   const Intrinsics tum_camera = freiburg3 ? Intrinsics{535.4f, 539.2f, 320.1f, 247.6f}
                                           : Intrinsics{525.f, 525.f, 319.5f, 239.5f};
-  const DepthCamera camera{options_.intrinsics.value_or (tum_camera),
-                           options_.units_per_metre.value_or (5000.f),
-                           !options_.intrinsics};
+  const bool guessed = !options_.intrinsics;
+  options_.intrinsics = options_.intrinsics.value_or (tum_camera);
+  options_.units_per_metre = options_.units_per_metre.value_or (5000.f);
+  const DepthCamera camera{*options_.intrinsics, *options_.units_per_metre, guessed};
   files_.push_back (list);
   for (const auto& [time, path] : files) {
     files_.push_back (path);

@@ -85,8 +85,10 @@ inputHelp ()
 {
   return R"(INPUT is one of
   FILE.pcd          an organized cloud, metres, in the frame of the camera: z forward, y down
-  FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale
-  FOLDER            of .pcd files, but for NAME_truth.pcd beside NAME.pcd, or else of depth images
+  FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale; 0 and 65535 are
+                    missing depth
+  FOLDER            of .pcd files, but for NAME_truth.pcd beside NAME.pcd, or else of depth images;
+                    other .png files between them are left out
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
   sim:SCENE[:SEED[:CAMERA]]
 )" +
@@ -184,10 +186,12 @@ addDepthNoiseOption (po::options_description& options)
   options.add_options() (
       "depth-noise",
       po::value<std::string>()->value_name ("SENSOR|CONSTANT,QUADRATIC"),
-      "the sensor whose noise and range to expect: kinect_v1, if not said; "
-      "structured_light as Xtion, Carmine and Astra; time_of_flight as Kinect v2 and "
-      "Azure Kinect; active_stereo as RealSense D4xx; or the standard deviation in "
-      "metres of one that sees as far as you like: 0.001,0.002 is 1 mm + 2 mm z^2");
+      "the sensor whose noise and range to expect, points beyond are left out: "
+      "kinect_v1, if not said, any range; structured_light, up to 3.5 m: Xtion, "
+      "Carmine and Astra, which are kinect_v1 where more is in view; time_of_flight, "
+      "up to 5.5 m: Kinect v2 and Azure Kinect; active_stereo, up to 5 m: RealSense "
+      "D4xx; or the standard deviation in metres, at any range: 0.001,0.002 is 1 mm + "
+      "2 mm z^2");
 }
 
 DepthNoise

@@ -91,10 +91,11 @@ objectFigures (const ObjectEvaluation& e)
           {"boxes_seen_right_percent", percentOf (e.boxes_seen_right, e.boxes_seen)}};
 }
 
-ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps)
+ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps,
+                                    const DepthNoise& noise)
 {
   for (const auto step : steps) {
-    auto methods = objectMethods();
+    auto methods = objectMethods (noise);
     methods.push_back (lccpMethod());
     for (auto& method : methods) {
       results_.push_back ({method.name, resolutionName (step), {}, {}});

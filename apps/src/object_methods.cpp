@@ -51,11 +51,12 @@ segmentWithLccp (const Cloud::ConstPtr& cloud)
 } // namespace
 
 std::vector<ObjectMethod>
-objectMethods ()
+objectMethods (const DepthNoise& noise)
 {
   std::vector<ObjectMethod> methods;
   for (const bool split : {false, true}) {
     const auto pipeline = std::make_shared<DetectionPipeline> (split);
+    pipeline->setDepthNoise (noise);
     methods.push_back (
         {split ? "supported_split" : "supported",
          [pipeline] (const ObjectInput& input, std::vector<FoundObject>& found) {

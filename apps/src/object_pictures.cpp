@@ -71,7 +71,7 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
 {
   Picture picture = depthPicture (cloud);
   for (auto& pixel : picture) {
-    const auto grey = static_cast<std::uint8_t> ((pixel.r + pixel.g + pixel.b) / 6);
+    const auto grey = static_cast<std::uint8_t> ((pixel.r + pixel.g + pixel.b) / 3);
     pixel = {grey, grey, grey};
   }
   for (std::size_t k = 0; k < objects.size(); ++k)

@@ -14,6 +14,9 @@ namespace rgbd_planes {
 
 namespace {
 
+/** By PoseSource. */
+constexpr const char* pose_names[] = {"given", "simulated", "estimated", "assumed"};
+
 const char*
 kindOf (const Obstacle& obstacle)
 {
@@ -77,7 +80,7 @@ obstaclesJson (const FrameSummary& frame)
   const auto toJson = [] (const Eigen::Vector3f& v) {
     return Json{v.x(), v.y(), v.z()};
   };
-  Json pose, floor_found, scan, obstacles = Json::array();
+  Json camera_to_base, floor_found, scan, obstacles = Json::array();
   if (frame.floor_found) {
     floor_found = *frame.floor_found;
     scan = {{"angle_min_rad", frame.scan.angle_min},
@@ -86,7 +89,7 @@ obstaclesJson (const FrameSummary& frame)
   }
   for (int row = 0; frame.camera_to_base && row < 3; ++row) {
     const Eigen::Vector4f values = frame.camera_to_base->matrix().row (row);
-    pose.push_back ({values[0], values[1], values[2], values[3]});
+    camera_to_base.push_back ({values[0], values[1], values[2], values[3]});
   }
   for (const auto& [obstacle, points, centroid] : frame.obstacles)
     obstacles.push_back ({{"kind", kindOf (obstacle)},
@@ -96,7 +99,8 @@ obstaclesJson (const FrameSummary& frame)
                           {"nearest_m", toJson (obstacle.nearest)},
                           {"centroid_m", toJson (centroid)}});
   return {{"floor_found", floor_found},
-          {"camera_to_base", pose},
+          {"pose", pose_names[static_cast<int> (frame.pose)]},
+          {"camera_to_base", camera_to_base},
           {"obstacles", obstacles},
           {"scan", scan}};
 }

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <iostream>
 #include <optional>
 #include <vector>
 
@@ -69,17 +70,21 @@ evaluateDetection (int argc, char** argv)
                      "a second table: objects with and without the split at concave "
                      "edges, and those of PCL's LCCPSegmentation, which takes long");
   addCorrectedOption (own);
+  addDepthNoiseOption (own);
   const auto command = readEvaluationCommand (argc, argv, usage, own);
   if (!command)
     return;
-  DetectionComparison comparison (command->steps);
+  const DepthNoise noise = readDepthNoise (command->values);
+  DetectionComparison comparison (command->steps, noise);
   std::optional<ObjectComparison> objects;
   if (command->values.count ("object-methods"))
-    objects.emplace (command->steps);
+    objects.emplace (command->steps, noise);
   std::optional<DepthCorrection> correction;
   if (const auto option = readCorrected (command->values))
     correction.emplace (*option);
+  bool has_truth = false;
   const auto add = [&] (const Frame& frame) {
+    has_truth |= frame.truth || frame.labels.kind == PointLabels::Kind::objects;
     comparison.add (frame);
     if (objects)
       objects->add (frame);
@@ -100,6 +105,9 @@ evaluateDetection (int argc, char** argv)
         return json.dump (2) + '\n';
       },
       correction ? calibration (*correction) : FrameCallbacks());
+  if (!has_truth)
+    std::cerr << "pcl_evaluate_detection: no truth in this input: only the rate is "
+                 "measured\n";
 }
 
 } // namespace

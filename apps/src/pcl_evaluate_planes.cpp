@@ -9,6 +9,8 @@
 
 #include <boost/program_options/value_semantic.hpp>
 
+#include <iostream>
+
 namespace po = boost::program_options;
 
 using namespace pcl::rgbd_planes;
@@ -90,9 +92,11 @@ evaluatePlanes (int argc, char** argv)
                                   : std::vector<std::string>(),
                               readCorrected (values),
                               readDepthNoise (values));
+  bool has_truth = false;
   runEvaluation (
       *command,
       [&] (const Frame& frame, OutputFiles& files) {
+        has_truth |= frame.truth || frame.labels.kind != PointLabels::Kind::none;
         comparison.add (frame);
         if (command->pictures)
           comparison.writePictures (frame, *command->pictures, files);
@@ -100,6 +104,10 @@ evaluatePlanes (int argc, char** argv)
       [&] { return planeComparisonTable (comparison.results()); },
       [&] { return planeComparisonJson (comparison.results()); },
       comparison.calibration());
+  if (!has_truth)
+    std::cerr
+        << "pcl_evaluate_planes: no truth in this input: only times, coverage and "
+           "what is off are measured\n";
 }
 
 } // namespace

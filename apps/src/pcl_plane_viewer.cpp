@@ -58,7 +58,8 @@ describeOptions ()
     return po::value<std::string>()->value_name (name);
   };
   po::options_description options ("Options", help_width);
-  options.add_options() ("help", "print this help") (
+  addHelpOptions (options);
+  options.add_options() (
       "show",
       text ("LAYERS")->default_value ("planes,contours,objects,scan"),
       "what to show at first: names from the list of keys, between commas, or none") (
@@ -99,13 +100,15 @@ readScreenshot (const fs::path& file)
   return file;
 }
 
-/** Nothing where only help was asked for, which is printed. */
+/** Nothing where only help or the version was asked for, which is printed. */
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
   const po::options_description description = describeOptions();
   const po::variables_map values =
       parseCommandLine (argc, argv, description, "input", 1);
+  if (printVersion (values))
+    return std::nullopt;
   if (values.count ("help")) {
     std::cout << usage << inputHelp() << "\nKeys\n"
               << viewerKeysHelp() << '\n'

@@ -7,6 +7,7 @@
 #include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/input_notices.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/labelled_point.h>
@@ -52,12 +53,13 @@ after an error there are none.
 
 )";
 
-/** Nothing where only help was asked for, which is printed. */
+/** Nothing where only help or the version was asked for, which is printed. */
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
   po::options_description options ("Options", help_width);
-  options.add_options() ("help", "print this help") (
+  addHelpOptions (options);
+  options.add_options() (
       "min-inliers",
       po::value<std::string>()->value_name ("N"),
       "drop planes with fewer points; by default 1000 for 640 x 480 pixels and in "
@@ -76,7 +78,10 @@ readOptions (int argc, char** argv)
       "with "
       "--obstacles FRAME_obstacles.png and FRAME_scan.csv; for all frames planes.csv, "
       "objects.csv, obstacles.csv and result.json; with --corrected camera warp.pcd, "
-      "the error of depth for later runs, and warp.png") (
+      "the error of depth for later runs, and warp.png. Planes and objects have "
+      "colours of their own; boxes are white, of what is not graspable red; floor is "
+      "green, obstacles red to yellow, drop-offs blue to magenta, specks white; black "
+      "is no depth, or beyond the range of the sensor") (
       "json",
       po::value<std::string>()->value_name ("FILE"),
       "write the result as JSON");
@@ -84,6 +89,8 @@ readOptions (int argc, char** argv)
   addCorrectedOption (options);
   options.add (inputOptionsDescription());
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
+  if (printVersion (values))
+    return std::nullopt;
   if (values.count ("help")) {
     std::cout << usage << inputHelp() << '\n' << options << '\n' << exit_help;
     return std::nullopt;
@@ -160,6 +167,7 @@ writeFrame (const Options& options,
 std::vector<FrameSummary>
 segmentFrames (const std::vector<FrameSource>& source,
                const Options& options,
+               InputNotices& notices,
                OutputFiles& files)
 {
   FrameSegmenter segmenter (options.segmenter);
@@ -179,6 +187,7 @@ segmentFrames (const std::vector<FrameSource>& source,
     const Frame frame =
         correction ? correction->correct (measured, min_inliers (measured)) : measured;
     summaries.push_back (segmenter.segment (frame));
+    notices.add (measured, summaries.back());
     if (options.output)
       writeFrame (options, frame, segmenter, summaries.back(), files);
     summaries.back().freeIndices();
@@ -207,9 +216,10 @@ segmentPlanes (int argc, char** argv)
     files.protect ({options->corrected->file});
   prepareOutput (*options, files);
 
-  const auto summaries = segmentFrames (source, *options, files);
+  InputNotices notices (options->segmenter);
+  const auto summaries = segmentFrames (source, *options, notices, files);
 
-  const std::string json = resultJson (options->input, summaries);
+  const std::string json = resultJson (source.front().options(), summaries);
   if (options->output) {
     files.write (*options->output / "result.json", json);
     files.write (*options->output / "planes.csv", planesCsv (summaries));
@@ -230,6 +240,8 @@ segmentPlanes (int argc, char** argv)
   printStageTimes (std::cout, summaries);
   flushOutput();
   files.commit();
+  for (const auto& line : notices.lines())
+    std::cerr << "pcl_segment_planes: " << line << '\n';
 }
 
 } // namespace

@@ -66,7 +66,7 @@ SCENE is one of)";
   std::cout << "\n\n" << options << '\n' << exit_help;
 }
 
-/** Nothing where only help was asked for, which is printed. */
+/** Nothing where only help or the version was asked for, which is printed. */
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
@@ -74,10 +74,10 @@ readOptions (int argc, char** argv)
     return po::value<std::string>()->value_name (name);
   };
   po::options_description options ("Options", help_width);
-  options.add_options() ("help", "print this help") (
-      "seed",
-      text ("S")->default_value ("1"),
-      "a whole number: another layout, viewpoint and noise") (
+  addHelpOptions (options);
+  options.add_options() ("seed",
+                         text ("S")->default_value ("1"),
+                         "a whole number: another layout, viewpoint and noise") (
       "camera",
       text ("C"),
       "a whole number: frames with the same one share the smooth error of depth that a "
@@ -90,6 +90,8 @@ readOptions (int argc, char** argv)
       "take every 1st, 2nd or 4th pixel") (
       "output", text ("DIR"), "write the files there");
   const po::variables_map values = parseCommandLine (argc, argv, options, "scene", 1);
+  if (printVersion (values))
+    return std::nullopt;
   if (values.count ("help")) {
     printHelp (options);
     return std::nullopt;

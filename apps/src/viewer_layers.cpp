@@ -203,9 +203,10 @@ paintCloud (const ViewerFrame& frame, ViewerLayers layers)
 {
   Picture picture = layers[planes_layer] ? trackedPlanesPicture (frame)
                                          : cameraPicture (frame.cloud());
+  // Their colours mean nothing, those of obstacles do.
   if (layers[obstacles_layer])
     paintObstacles (frame, picture);
-  if (layers[objects_layer])
+  else if (layers[objects_layer])
     paintObjects (frame, picture);
   pcl::PointCloud<pcl::PointXYZRGB> cloud;
   for (std::size_t i = 0; i < picture.size(); ++i)

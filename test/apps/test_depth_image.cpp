@@ -76,6 +76,18 @@ TEST (DepthImage, OtherPicturesAreRefused)
   expectRefused (folder.path(), "not a readable PNG");
 }
 
+TEST (DepthImage, OtherPicturesAreKnown)
+{
+  const TemporaryFolder folder;
+  writePng (folder / "depth.png", 7, someSamples());
+  writePng (
+      folder / "colour.png", 2, std::vector<std::uint16_t> (12), {8, 3, false, 0.});
+  writeFile (folder / "part.png", readFile (folder / "depth.png").substr (0, 20));
+  EXPECT_TRUE (isOtherPng (folder / "colour.png"));
+  for (const char* name : {"depth.png", "part.png", "missing.png"})
+    EXPECT_FALSE (isOtherPng (folder / name)) << name;
+}
+
 TEST (DepthImage, NoMemoryIsTakenForPixelsThatTheFileCannotHold)
 {
   const TemporaryFolder folder;
@@ -120,7 +132,8 @@ TEST (DepthImage, PointsFollowThePinholeModel)
   DepthImage image{4, 3, std::vector<std::uint16_t> (12, 0)};
   image.depth[0] = 1000;
   image.depth[2 * 4 + 3] = 3000;
-  image.depth[1 * 4 + 2] = 65535;
+  image.depth[1 * 4 + 2] = 65534;
+  image.depth[1 * 4 + 3] = 65535; // as some cameras write missing depth
   const auto cloud = toCloud (image, {500.f, 400.f, 1.5f, 1.f}, 2000.f);
   ASSERT_EQ (cloud->width, 4u);
   ASSERT_EQ (cloud->height, 3u);
@@ -130,7 +143,7 @@ TEST (DepthImage, PointsFollowThePinholeModel)
   EXPECT_FLOAT_EQ ((*cloud) (3, 2).x, 0.0045f);  // (3 - 1.5) * 1.5 / 500
   EXPECT_FLOAT_EQ ((*cloud) (3, 2).y, 0.00375f); // (2 - 1) * 1.5 / 400
   EXPECT_FLOAT_EQ ((*cloud) (3, 2).z, 1.5f);
-  EXPECT_FLOAT_EQ ((*cloud) (2, 1).z, 32.7675f);
+  EXPECT_FLOAT_EQ ((*cloud) (2, 1).z, 32.767f);
   EXPECT_FLOAT_EQ ((*cloud) (2, 1).y, 0.f);
   int missing = 0;
   for (const auto& point : *cloud)

@@ -101,7 +101,11 @@ TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
   pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
-  ASSERT_EQ (run ("wall.pcd --resolution qvga --json table.json").code, 0);
+  const Outcome outcome = run ("wall.pcd --resolution qvga --json table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_EQ (outcome.err.rfind ("pcl_evaluate_detection: no truth in this input", 0),
+             0u)
+      << outcome.err;
   const json rows = results();
   ASSERT_EQ (rows.size(), 1u);
   EXPECT_TRUE (rows[0].at ("obstacles_percent").is_null());
@@ -112,8 +116,28 @@ TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
   EXPECT_GT (rows[0]["rate_hz"], 0.);
 }
 
+// With too much noise, low things are floor.
+TEST_F (EvaluateDetection, DepthNoiseHidesWhatIsLow)
+{
+  std::vector<double> found;
+  for (const std::string noise : {"kinect_v1", "0.03,0.03"}) {
+    const Outcome outcome =
+        run ("sim:table_cluttered --resolution qvga --json table.json --object-methods "
+             "--depth-noise " +
+             noise);
+    ASSERT_EQ (outcome.code, 0) << outcome.err;
+    const json row = results().at (0);
+    found.push_back (row["objects_percent"]);
+    EXPECT_EQ (json::parse (readFile (
+                   folder_ / "table.json"))["object_methods"][1]["objects_percent"],
+               row["objects_percent"]);
+  }
+  EXPECT_LT (found[1], 0.5 * found[0]);
+}
+
 TEST_F (EvaluateDetection, BadUsage)
 {
+  expectRefused ("sim:floor_obstacles --depth-noise sonar", "--depth-noise");
   expectRefused ("", "INPUT");
   expectRefused ("sim:nowhere", "nowhere");
   expectRefused ("sim:floor_obstacles --corrected floor", "floor");

@@ -130,7 +130,10 @@ TEST_F (EvaluatePlanes, WithoutTruthWhatNeedsItIsNull)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
   pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
-  ASSERT_EQ (run ("wall.pcd --resolution qvga --json table.json").code, 0);
+  const Outcome outcome = run ("wall.pcd --resolution qvga --json table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_EQ (outcome.err.rfind ("pcl_evaluate_planes: no truth in this input", 0), 0u)
+      << outcome.err;
   const json rows = results();
   ASSERT_EQ (rows.size(), 2u);
   for (const char* key : {"planes_truth",

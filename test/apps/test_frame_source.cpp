@@ -87,6 +87,26 @@ TEST (FrameSource, FilesComeInNaturalOrder)
       (std::vector<std::string>{"1", "2", "007", "10", "a9b9", "a9b10", "a10b2"}));
 }
 
+TEST (FrameSource, ColourImagesBetweenDepthImagesAreNoFrames)
+{
+  const TemporaryFolder folder;
+  const auto writeColour = [&] (const char* name) {
+    writePng (folder / name, 2, std::vector<std::uint16_t> (12), {8, 3, false, 0.});
+  };
+  writeColour ("1-colour.png");
+  EXPECT_TRUE (
+      contains (messageOf (depthInputOf (folder.path())), "not a depth image"));
+  for (const char* name : {"2-depth.png", "10-depth.png", "1-depth.png"})
+    writePng (folder / name, 2, {1, 2, 3, 4});
+  writeColour ("2-colour.png");
+  testing::internal::CaptureStderr();
+  const FrameSource source (depthInputOf (folder.path()));
+  EXPECT_TRUE (
+      contains (testing::internal::GetCapturedStderr(), ": 2 of 5 .png files"));
+  EXPECT_EQ (namesOf (source),
+             (std::vector<std::string>{"1-depth", "2-depth", "10-depth"}));
+}
+
 TEST (FrameSource, GroundTruthIsNoFrame)
 {
   const TemporaryFolder folder;
@@ -280,8 +300,13 @@ TEST_F (TumFolder, CameraIsKnown)
   const Eigen::Vector3f third (
       (420.f - 320.1f) / 535.4f, (340.f - 247.6f) / 539.2f, 1.f);
   EXPECT_TRUE (point (inputOf (folder_.path())).isApprox (third, 1e-6f));
+  const auto used = FrameSource (inputOf (folder_.path())).options();
+  EXPECT_EQ (used.intrinsics->fx, 535.4f);
+  EXPECT_EQ (used.units_per_metre, 5000.f);
   const Eigen::Vector3f given (4.2f * 5.f, 3.4f * 5.f, 5.f);
   EXPECT_TRUE (point (depthInputOf (folder_.path())).isApprox (given, 1e-6f));
+  EXPECT_EQ (FrameSource (depthInputOf (folder_.path())).options().intrinsics->fx,
+             100.f);
 }
 
 TEST_F (TumFolder, OtherSizesNeedTheirCamera)

@@ -50,3 +50,8 @@ TEST_F (MeasureDepthNoise, WhereNothingIsSeenItSaysSo)
   expectRefused ("dark.pcd --json noise.json", "no smooth surfaces in any frame");
   expectRefused ("", "no INPUT given");
 }
+
+TEST_F (MeasureDepthNoise, HelpHasNoEmptySection)
+{
+  EXPECT_EQ (run ("-h").out.find ("\n\n\n"), std::string::npos);
+}

@@ -238,8 +238,14 @@ TEST_F (SegmentObstacles, PoseIsGivenOrEstimatedFromTheFloor)
   ASSERT_EQ (given.code, 0) << given.err;
   const Outcome estimated = run (input + "--output estimated");
   ASSERT_EQ (estimated.code, 0) << estimated.err;
+  EXPECT_EQ (given.err, "");
+  EXPECT_EQ (estimated.err,
+             "pcl_segment_planes: pose of the camera: estimated, in floor from plane 0 "
+             "as the floor, at a distance of 0.80 m; --base-transform gives the true "
+             "one\n");
   for (const std::string folder : {"given", "estimated"}) {
     const json frame = readFrame (folder);
+    EXPECT_EQ (frame["pose"], folder);
     EXPECT_EQ (frame["floor_found"], true);
     ASSERT_EQ (frame["obstacles"].size(), 1u);
     const double x = folder == "given" ? 1.7 : 1.2, y = folder == "given" ? 0.1 : 0.;
@@ -277,6 +283,7 @@ TEST_F (SegmentObstacles, WithoutAFloorNothingIsSafe)
   ASSERT_EQ (run ("dark.png --obstacles --output dark" + camera).code, 0);
   EXPECT_TRUE (readObstacles (folder_ / "dark/obstacles.csv").empty());
   EXPECT_EQ (readFrame ("dark")["floor_found"], false);
+  EXPECT_EQ (readFrame ("dark")["pose"], "assumed");
   EXPECT_EQ (readFrame ("dark")["camera_to_base"], nullptr);
 
   const Outcome wall =
@@ -296,6 +303,7 @@ TEST_F (SegmentObstacles, WithoutTheOptionNothingIsWritten)
     EXPECT_EQ (file.find ("obstacle"), std::string::npos) << file;
     EXPECT_EQ (file.find ("scan"), std::string::npos) << file;
   }
+  EXPECT_EQ (readFrame ("out")["pose"], "simulated");
   EXPECT_EQ (readFrame ("out")["floor_found"], nullptr);
   EXPECT_EQ (readFrame ("out").at ("scan"), nullptr);
 }

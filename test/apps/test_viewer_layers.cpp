@@ -191,6 +191,14 @@ TEST_F (ViewerLayersTest, ObjectsHaveColoursOfTheirOwnAndBoxes)
   EXPECT_EQ (edges, 12);
 }
 
+TEST_F (ViewerLayersTest, ObstaclesKeepTheirColoursWhereObjectsAreShown)
+{
+  const auto alone = paint ("obstacles"), both = paint ("obstacles,objects");
+  ASSERT_EQ (alone.size(), both.size());
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    ASSERT_EQ (alone[i].rgba, both[i].rgba) << i;
+}
+
 TEST_F (ViewerLayersTest, ContoursGoAroundThePlanes)
 {
   const auto lines = draw ("contours");

@@ -11,6 +11,14 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief Adds --help and --version. */
+void
+addHelpOptions (boost::program_options::options_description& options);
+
+/** \brief Prints the version where --version asks for it, which is returned. */
+bool
+printVersion (const boost::program_options::variables_map& values);
+
 /** \brief Reads a command line: options, and arguments without a name.
  * \param[in] arguments the name under which the latter are found, as a
  * std::vector<std::string>

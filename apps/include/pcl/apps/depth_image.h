@@ -22,7 +22,7 @@ struct Intrinsics {
   float cy = 0.f;
 };
 
-/** \brief Depth along the optical axis, row by row from the top; 0 is missing depth. */
+/** \brief Depth along the optical axis, row by row from the top; 0 and 65535 are missing depth. */
 struct DepthImage {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -37,6 +37,11 @@ struct DepthImage {
  */
 DepthImage
 readDepthPng (const std::string& file);
+
+/** \brief Whether a file is a PNG of another kind than readDepthPng() reads, as colour images are;
+ * false where it is damaged. */
+bool
+isOtherPng (const std::string& file);
 
 /** \brief The points of a depth image.
  * \param[in] units_per_metre what the image holds at a depth of 1 m

@@ -32,8 +32,10 @@ struct DetectionResult {
  * whose points have labels of objects. */
 class DetectionComparison {
 public:
-  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4 */
-  explicit DetectionComparison (const std::vector<std::uint32_t>& steps);
+  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
+   * \param[in] noise of the sensor */
+  explicit DetectionComparison (const std::vector<std::uint32_t>& steps,
+                                const DepthNoise& noise = {});
 
   /** \brief Adds a frame of full resolution. */
   void

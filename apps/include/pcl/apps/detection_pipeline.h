@@ -27,6 +27,16 @@ public:
     extraction_.setSplitAtConcaveEdges (split);
   }
 
+  /** \brief Of the sensor, for all stages. */
+  void
+  setDepthNoise (const DepthNoise& noise)
+  {
+    estimation_.setDepthNoise (noise);
+    segmentation_.setDepthNoise (noise);
+    extraction_.setDepthNoise (noise);
+    detection_.setDepthNoise (noise);
+  }
+
   /** \brief Normals and planes.
    * \param[in] camera_to_base where the camera is; without, estimateCameraToBase()
    */

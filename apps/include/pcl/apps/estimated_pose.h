@@ -7,18 +7,24 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Where a camera is whose pose is unknown: the largest plane that faces up in its
- * image, within 60 degrees, or else the largest one, is taken for a floor or table at height
- * 0, see cameraToBaseFromFloor().
+/** \brief The plane that is taken for a floor or table at height 0 where the pose of the camera
+ * is unknown: the largest one that faces up in its image, within 60 degrees, or else the
+ * largest one.
  * \param[in] planes by decreasing number of points, facing the camera
- * \return nothing where there is no plane
+ * \return 0 where there is no plane
  */
+std::size_t
+findLikelyFloor (const std::vector<pcl::ModelCoefficients>& planes);
+
+/** \brief Where a camera is whose pose is unknown, see findLikelyFloor() and
+ * cameraToBaseFromFloor(); nothing where there is no plane. */
 std::optional<Eigen::Affine3f>
 estimateCameraToBase (const std::vector<pcl::ModelCoefficients>& planes);
 

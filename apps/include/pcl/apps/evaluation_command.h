@@ -32,7 +32,7 @@ struct EvaluationCommand {
 
 /** \brief Reads INPUT..., --json, the options of inputOptionsDescription() and \a own.
  * \param[in] usage printed before the list of options where only help is asked for;
- * nothing is returned then
+ * nothing is returned then, nor for the version
  * Throws AppError where something is malformed.
  */
 std::optional<EvaluationCommand>

@@ -66,6 +66,10 @@ std::string
 planeClass (const std::array<double, 4>& coefficients,
             const std::optional<Eigen::Affine3f>& camera_to_base);
 
+/** \brief Where a pose of the camera is from: an option, the simulation, a plane that is taken for
+ * the floor, or nothing, so that defaultCameraToBase() is assumed. */
+enum class PoseSource { given, simulated, estimated, assumed };
+
 struct ObstacleSummary {
   Obstacle obstacle;
   std::size_t points = 0;
@@ -94,6 +98,9 @@ struct FrameSummary {
   VirtualScan scan;
   /** Nothing where obstacles were not asked for. */
   std::optional<bool> floor_found;
+  PoseSource pose = PoseSource::assumed;
+  /** With PoseSource::estimated, the plane that was taken for the floor. */
+  std::size_t floor = 0;
   /** Where the camera was taken to be; nothing where that is unknown and there is no
    * plane to estimate it from. */
   std::optional<Eigen::Affine3f> camera_to_base;
@@ -152,7 +159,10 @@ public:
 
 private:
   void
-  findObjects (const Frame& frame, bool pose_is_known, FrameSummary& summary);
+  findPose (const Frame& frame, FrameSummary& summary) const;
+
+  void
+  findObjects (const Frame& frame, FrameSummary& summary);
 
   void
   findObstacles (const Frame& frame, FrameSummary& summary);

@@ -70,6 +70,13 @@ public:
     return frames_.size();
   }
 
+  /** \brief What the user said, and what TUM RGB-D folders have unless told otherwise. */
+  const InputOptions&
+  options () const
+  {
+    return options_;
+  }
+
   /** \brief Reads frame \a i, 0 <= i < size(). Files of a folder come as
    * listFrames() lists them, those of a TUM RGB-D folder as their list does. */
   Frame

@@ -47,8 +47,10 @@ objectFigures (const ObjectEvaluation& evaluation);
 /** \brief Runs methods, ours and PCL's LCCP, on frames and scores the objects that they find. */
 class ObjectComparison {
 public:
-  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4 */
-  explicit ObjectComparison (const std::vector<std::uint32_t>& steps);
+  /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
+   * \param[in] noise that ours expects */
+  explicit ObjectComparison (const std::vector<std::uint32_t>& steps,
+                             const DepthNoise& noise = {});
 
   /** \brief Adds a frame of full resolution; one without truth is left out. */
   void

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/apps/object_evaluation.h>
+#include <pcl/features/depth_noise.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -35,9 +36,10 @@ struct ObjectMethod {
       compute;
 };
 
-/** \brief Ours, "supported" and, with the split at concave edges, "supported_split". */
+/** \brief Ours, "supported" and, with the split at concave edges, "supported_split".
+ * \param[in] noise of the sensor */
 std::vector<ObjectMethod>
-objectMethods ();
+objectMethods (const DepthNoise& noise = {});
 
 /** \brief PCL's SupervoxelClustering (voxels of 7.5 mm, seeds every 3 cm) and LCCPSegmentation
  * (10 degrees, sanity check) on the points of the cloud, "pcl_lccp". Its largest segment is

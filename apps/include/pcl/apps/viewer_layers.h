@@ -35,7 +35,10 @@ constexpr std::array<ViewerLayer, 6> viewer_layers{
     {{"planes", 'p', "points in the colours of their planes, grey where there is none"},
      {"contours", 'c', "polygons around the connected parts of planes"},
      {"normals", 'n', "lines that stand on the surfaces"},
-     {"objects", 'o', "objects, their boxes (red: not graspable), hulls under them"},
+     {"objects",
+      'o',
+      "objects, their boxes (red: not graspable), hulls under them; with obstacles "
+      "only lines"},
      {"obstacles", 'b', "floor green, obstacles red to yellow, drop-offs blue"},
      {"scan", 'v', "virtual laser scan of the obstacles, yellow posts on the floor"}}};
 

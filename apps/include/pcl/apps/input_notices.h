@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/apps/frame_segmenter.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Collects what makes the results of a run doubtful though nothing is wrong with its
+ * command line: a range of the sensor that leaves out many points, clouds that are not in the
+ * frame of the camera, a pose that is a guess. */
+class InputNotices {
+public:
+  explicit InputNotices (const SegmenterOptions& options) : options_ (options) {}
+
+  void
+  add (const Frame& frame, const FrameSummary& summary);
+
+  /** \brief A line for each thing to know, for all frames. */
+  std::vector<std::string>
+  lines () const;
+
+private:
+  SegmenterOptions options_;
+  std::size_t frames_ = 0;
+  std::size_t measured_points_ = 0;
+  std::size_t points_out_of_range_ = 0;
+  std::size_t frames_elsewhere_ = 0;
+  /** About the first frame with an estimated pose. */
+  std::string estimated_pose_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/apps/fit_camera.h>
+#include <pcl/apps/input_notices.h>
+#include <pcl/apps/statistics.h>
+#include <pcl/features/organized_view.h>
+
+#include <boost/format.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Whether most points lie where a pinhole camera sees them, but for what lenses distort. */
+bool
+isInCameraFrame (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
+{
+  constexpr float max_distortion = 0.1f; // in widths and heights of the image
+  const Intrinsics camera = fitCamera (cloud);
+  std::size_t measured = 0, seen = 0;
+  for (std::uint32_t v = 0; v < cloud.height; ++v)
+    for (std::uint32_t u = 0; u < cloud.width; ++u) {
+      const auto& p = cloud (u, v);
+      if (!isMeasured (p.data))
+        continue;
+      ++measured;
+      const float column = camera.fx * p.x / p.z + camera.cx;
+      const float row = camera.fy * p.y / p.z + camera.cy;
+      seen += p.z > 0.f &&
+              std::fabs (column - static_cast<float> (u)) <
+                  max_distortion * static_cast<float> (cloud.width) &&
+              std::fabs (row - static_cast<float> (v)) <
+                  max_distortion * static_cast<float> (cloud.height);
+    }
+  return 2 * seen >= measured;
+}
+
+} // namespace
+
+void
+InputNotices::add (const Frame& frame, const FrameSummary& summary)
+{
+  const auto& cloud = *frame.cloud;
+  const float max_range = options_.depth_noise.max_range;
+  ++frames_;
+  measured_points_ += summary.measured_points;
+  points_out_of_range_ += static_cast<std::size_t> (
+      std::count_if (cloud.begin(), cloud.end(), [&] (const auto& point) {
+        return squaredRange (point.data) > max_range * max_range;
+      }));
+  frames_elsewhere_ += !isInCameraFrame (cloud);
+  if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
+      (options_.find_objects || options_.find_obstacles))
+    estimated_pose_ =
+        (boost::format ("pose of the camera: estimated, in %s from plane %d as the "
+                        "floor, at a distance of %.2f m; --base-transform gives the "
+                        "true one") %
+         frame.name % summary.floor % summary.camera_to_base->translation().z())
+            .str();
+}
+
+std::vector<std::string>
+InputNotices::lines() const
+{
+  constexpr double max_percent_out_of_range = 10.;
+  std::vector<std::string> lines;
+  const double out_of_range =
+      percentOf (points_out_of_range_, std::max<std::size_t> (measured_points_, 1));
+  if (out_of_range > max_percent_out_of_range)
+    lines.push_back (
+        (boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
+                        "%.1f m of this sensor and are left out; kinect_v1 and "
+                        "CONSTANT,QUADRATIC take all") %
+         out_of_range % options_.depth_noise.max_range)
+            .str());
+  if (frames_elsewhere_ > 0)
+    lines.push_back (
+        (boost::format ("in %d of %d frames most points are not where a camera sees "
+                        "them: x right, y down and z forward from the camera is "
+                        "expected") %
+         frames_elsewhere_ % frames_)
+            .str());
+  if (!estimated_pose_.empty())
+    lines.push_back (estimated_pose_);
+  return lines;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
