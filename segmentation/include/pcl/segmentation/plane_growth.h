@@ -26,7 +26,9 @@ struct SurfaceTurn;
  *
  * So the first, largest parts take the points from clusters that are no planes of their
  * own, such as in-between normals along creases. Parts of curved surfaces show in their
- * normals, which turn with the place on the part, and become no plane.
+ * normals, which turn with the place on the part, and become no plane. Parts that reach over
+ * several planes which meet at small angles, as a floor and a ramp, show in their errors, and
+ * grow from one of these.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneGrowth {
 public:
