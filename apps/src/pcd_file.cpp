@@ -70,8 +70,10 @@ declaredBytes (const std::string& header)
       for (std::string name; words >> name;)
         fields += 1.;
     for (std::string word; words >> word;) {
-      double number = std::strtod (word.c_str(), nullptr); // infinite if too large
-      if (number < 0.)                                     // read without a sign
+      char* rest = nullptr;
+      double number = std::strtod (word.c_str(), &rest); // infinite if too large
+      const bool goes_on = rest != word.c_str() && *rest != '\0'; // 0-11 is two numbers
+      if (number < 0. || goes_on)                                 // read without a sign
         number = 4294967296.;
       if (std::isnan (number)) // a word, which is read as 0
         continue;

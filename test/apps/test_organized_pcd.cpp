@@ -170,7 +170,7 @@ TEST (OrganizedPcd, NoMemoryIsTakenForValuesThatTheFileCannotHold)
 {
   const TemporaryFolder folder;
   for (const std::string count :
-       {"2147483647", "16666666666E666", "-1e666", "nan 1e9"}) {
+       {"2147483647", "16666666666E666", "-1e666", "nan 1e9", "0-11"}) {
     std::string huge = asciiPcd ("x y z", 2, 2, "1 1 1\n");
     const std::size_t line = huge.find ("COUNT");
     huge.replace (line, huge.find ('\n', line) - line, "COUNT 1 " + count + " 1");
