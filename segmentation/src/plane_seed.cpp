@@ -25,11 +25,11 @@ constexpr int max_level = 64;
 constexpr std::size_t level_width = 3;
 /** Parts of it that do not touch differ by less. */
 constexpr float max_part_height = 1.f;
-/** Parts of bent claims are made of so many strips, and have this share of the points of a
+/** Flat parts of bent claims are made of so many strips, and have this share of the points of a
  * plane; one plane fits where the mean square of the errors, in standard deviations, is
  * smaller. */
-constexpr std::size_t part_strips = 16;
-constexpr double min_part_share = 0.2, max_part_error = 1.2;
+constexpr std::size_t flat_strips = 16;
+constexpr double min_flat_share = 0.2, max_flat_error = 1.2;
 
 /** The numbers of points at each height, in standard deviations. */
 class Levels {
@@ -227,27 +227,27 @@ PlaneGrowth::flatPart (const PlaneSamples& samples) const
     first = std::min (first, place);
     last = std::max (last, place);
   });
-  std::array<PlaneMoments, part_strips> strips;
+  std::array<PlaneMoments, flat_strips> strips;
   constexpr float min_extent = 1e-6f;
-  const float strips_per_place = part_strips / std::max (last - first, min_extent);
+  const float strips_per_place = flat_strips / std::max (last - first, min_extent);
   forEachPlace ([&] (std::size_t i, float place) {
     const float p[] = {samples.x[i], samples.y[i], samples.z[i]};
     const auto strip = static_cast<std::size_t> (strips_per_place * (place - first));
-    strips[std::min (strip, part_strips - 1)].add (p, claimed_[i]);
+    strips[std::min (strip, flat_strips - 1)].add (p, claimed_[i]);
   });
 
   Plane best = plane_;
   double least = std::numeric_limits<double>::infinity();
   std::size_t most = 0;
-  for (std::size_t begin = 0; begin < part_strips; ++begin) {
+  for (std::size_t begin = 0; begin < flat_strips; ++begin) {
     PlaneMoments part;
-    for (std::size_t end = begin; end < part_strips; ++end) {
+    for (std::size_t end = begin; end < flat_strips; ++end) {
       part += strips[end];
       if (static_cast<double> (part.points) <
-          std::max (4., min_part_share * min_points_))
+          std::max (4., min_flat_share * min_points_))
         continue;
       const Eigen::Vector3d m = part.inverseDistance();
-      const double error = std::max (part.meanSquaredError (m), max_part_error);
+      const double error = std::max (part.meanSquaredError (m), max_flat_error);
       if (error < least || (error == least && part.points > most)) {
         least = error;
         most = part.points;

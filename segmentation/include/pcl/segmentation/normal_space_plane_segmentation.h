@@ -381,12 +381,6 @@ private:
   fillLabels (PointCloudL& labels) const;
 
   void
-  fillRefined (std::vector<ModelCoefficients>& model_coefficients,
-               std::vector<PointIndices>& inlier_indices,
-               PointCloudLPtr& labels,
-               std::vector<PointIndices>& label_indices);
-
-  void
   fillRegions (Regions& regions, std::vector<PointIndices>& boundary_indices);
 
   void

@@ -157,21 +157,6 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillLabels (
 
 template <typename PointT, typename PointNT, typename PointLT>
 void
-NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRefined (
-    std::vector<ModelCoefficients>& model_coefficients,
-    std::vector<PointIndices>& inlier_indices,
-    PointCloudLPtr& labels,
-    std::vector<PointIndices>& label_indices)
-{
-  fillModels (model_coefficients, inlier_indices);
-  label_indices = inlier_indices;
-  if (!labels)
-    labels = pcl::make_shared<PointCloudL>();
-  fillLabels (*labels);
-}
-
-template <typename PointT, typename PointNT, typename PointLT>
-void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
     Regions& regions, std::vector<PointIndices>& boundary_indices)
 {
@@ -280,7 +265,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segmentAndRefine (
     std::vector<PointIndices>& boundary_indices)
 {
   extract();
-  fillRefined (model_coefficients, inlier_indices, labels, label_indices);
+  refine (model_coefficients, inlier_indices, labels, label_indices);
   fillRegions (regions, boundary_indices);
 }
 
@@ -292,13 +277,18 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::refine (
     PointCloudLPtr& labels,
     std::vector<PointIndices>& label_indices)
 {
-  if (is_segmented_)
-    fillRefined (model_coefficients, inlier_indices, labels, label_indices);
-  else
+  if (!is_segmented_) {
     PCL_ERROR (
         "[pcl::%s::refine] The input cloud is not segmented: call segment () first, "
         "for refine () gives the planes that it found.\n",
         getClassName().c_str());
+    return;
+  }
+  fillModels (model_coefficients, inlier_indices);
+  label_indices = inlier_indices;
+  if (!labels)
+    labels = pcl::make_shared<PointCloudL>();
+  fillLabels (*labels);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
