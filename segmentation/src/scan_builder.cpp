@@ -42,7 +42,7 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
     }
   }
   // Columns that kept their sectors would round other sums than in a new object.
-  column_sectors_.assign (columns, sectors_.size() - 1);
+  column_sectors_.assign (columns, noSector());
   const std::size_t padded = columns + PointRow::block_size;
   for (auto* values :
        {&columns_.right_x, &columns_.right_y, &columns_.left_x, &columns_.left_y})
@@ -95,7 +95,7 @@ ScanBuilder::closeGaps (const ScanRun& run)
   const std::size_t last = run.end - 1;
   for (std::size_t begin = run.begin; begin < last; begin += max_pairs) {
     const std::size_t end = std::min (begin + max_pairs, last);
-    const bool is_known = column_sectors_[begin] < sectors_.size() - 1;
+    const bool is_known = column_sectors_[begin] != noSector();
     if (is_known && 2 * stepsBetween (begin, end) <= end - begin)
       continue;
     for (std::size_t u = begin; u < end; ++u)
@@ -109,8 +109,7 @@ ScanBuilder::fillBetween (std::size_t column)
 {
   std::size_t a = column_sectors_[column], b = column_sectors_[column + 1];
   float at_a = columns_.squares[column], at_b = columns_.squares[column + 1];
-  const std::size_t none = sectors_.size() - 1;
-  if (a == none || b == none || std::isinf (at_a) || std::isinf (at_b))
+  if (a == noSector() || b == noSector() || std::isinf (at_a) || std::isinf (at_b))
     return;
   if ((a > b) != (2 * (std::max (a, b) - std::min (a, b)) > sectors_in_turn_)) {
     std::swap (a, b);
@@ -120,7 +119,7 @@ ScanBuilder::fillBetween (std::size_t column)
     b += sectors_in_turn_;
   for (std::size_t k = a + 1; k < b; ++k) {
     const std::size_t sector = k < sectors_in_turn_ ? k : k - sectors_in_turn_;
-    if (sector < none)
+    if (sector < noSector())
       squares_[sector] = std::min (squares_[sector], k - a <= b - k ? at_a : at_b);
   }
 }
@@ -151,7 +150,7 @@ ScanBuilder::find (float x, float y, std::size_t column) const
   float steps =
       (std::atan2 (y, x) - limits_.angle_min) / limits_.angle_increment + 0.5f;
   steps -= steps_in_turn * std::floor (steps / steps_in_turn);
-  return std::min (static_cast<std::size_t> (steps), sectors_.size() - 1);
+  return std::min (static_cast<std::size_t> (steps), noSector());
 }
 
 void
@@ -159,7 +158,7 @@ ScanBuilder::finish()
 {
   for (std::size_t u = 0; u < column_sectors_.size(); ++u)
     turnColumn (u, column_sectors_[u]);
-  scan_->ranges.resize (sectors_.size() - 1);
+  scan_->ranges.resize (noSector());
   const float nearest = limits_.range_min * limits_.range_min;
   for (std::size_t i = 0; i < scan_->ranges.size(); ++i)
     scan_->ranges[i] = squares_[i] < nearest ? -infinity : std::sqrt (squares_[i]);

@@ -78,7 +78,14 @@ private:
     }
   };
 
-  /** The direction of a point, or sectors_.size() - 1 where it is outside of all. */
+  /** That of points outside of all directions. */
+  std::size_t
+  noSector () const
+  {
+    return sectors_.size() - 1;
+  }
+
+  /** The direction of a point, or noSector(). */
   std::size_t
   find (float x, float y, std::size_t column) const;
 
@@ -95,9 +102,9 @@ private:
 
   VirtualScan* scan_ = nullptr;
   ScanLimits limits_;
-  /** One for each direction, and one that contains nothing. */
+  /** One for each direction, and noSector(), which contains nothing. */
   std::vector<Sector> sectors_;
-  /** Of the closest point in each direction; the last one is of no use. */
+  /** Of the closest point in each direction; that of noSector() is of no use. */
   std::vector<float> squares_;
   ScanColumns columns_;
   std::vector<std::size_t> column_sectors_;
