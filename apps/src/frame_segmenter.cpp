@@ -69,8 +69,8 @@ planeClass (const std::array<double, 4>& coefficients,
 void
 FrameSummary::freeIndices()
 {
-  for (auto& object : objects)
-    pcl::Indices().swap (object.indices.indices);
+  for (auto& summary : objects)
+    pcl::Indices().swap (summary.object.indices.indices);
   for (auto& summary : obstacles)
     pcl::Indices().swap (summary.obstacle.indices);
 }
@@ -166,10 +166,10 @@ FrameSegmenter::findObjects (const Frame& frame, FrameSummary& summary)
   extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);
   extraction_.setInputNormals (normals_);
-  extraction_.extract (coefficients_, inliers_, summary.objects);
+  extraction_.extract (coefficients_, inliers_, objects_);
   summary.times.objects = watch.milliseconds();
-  for (const auto& object : summary.objects)
-    summary.object_points.push_back (object.indices.indices.size());
+  for (const auto& object : objects_)
+    summary.objects.push_back ({object, object.indices.indices.size()});
 }
 
 void

@@ -66,7 +66,7 @@ private:
 
 Picture
 objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
-                const std::vector<pcl::SupportedObject>& objects,
+                const std::vector<ObjectSummary>& objects,
                 const std::vector<SupportPlane>& supports)
 {
   Picture picture = depthPicture (cloud);
@@ -75,7 +75,7 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
     pixel = {grey, grey, grey};
   }
   for (std::size_t k = 0; k < objects.size(); ++k)
-    for (const auto i : objects[k].indices.indices)
+    for (const auto i : objects[k].object.indices.indices)
       picture[static_cast<std::size_t> (i)] =
           planeColour (static_cast<std::uint32_t> (k));
   LineDrawer lines (fitCamera (cloud), picture);
@@ -84,8 +84,8 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
       lines.draw (hullLine (support,
                             cloud.sensor_origin_.head<3>(),
                             planeColour (static_cast<std::uint32_t> (support.index))));
-  for (const auto& object : objects)
-    for (const auto& edge : boxLines (object))
+  for (const auto& summary : objects)
+    for (const auto& edge : boxLines (summary.object))
       lines.draw (edge);
   return picture;
 }

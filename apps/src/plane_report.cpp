@@ -57,8 +57,9 @@ toJson (const Eigen::Vector3f& vector)
 }
 
 Json
-toJson (const pcl::SupportedObject& object, std::size_t points)
+toJson (const ObjectSummary& summary)
 {
+  const auto& [object, points] = summary;
   return {{"plane", object.support},
           {"points", points},
           {"graspable", object.graspable},
@@ -89,8 +90,8 @@ toJson (const FrameSummary& frame)
                        {"class", plane.plane_class}});
   }
   Json objects = Json::array();
-  for (std::size_t id = 0; id < frame.objects.size(); ++id)
-    objects.push_back (toJson (frame.objects[id], frame.object_points[id]));
+  for (const auto& object : frame.objects)
+    objects.push_back (toJson (object));
   Json json{{"frame", frame.name},
             {"width", frame.width},
             {"height", frame.height},
@@ -152,12 +153,12 @@ printObjects (std::ostream& out, const FrameSummary& frame)
   out << "  object   on plane     at x       y       z     sides cm           height   "
          "points   graspable\n";
   for (std::size_t id = 0; id < frame.objects.size(); ++id) {
-    const auto& object = frame.objects[id];
+    const auto& [object, points] = frame.objects[id];
     const Eigen::Vector3f &at = object.centroid, cm = 100.f * object.box_size;
     out << boost::format (
                "%8d %10d %8.3f %7.3f %7.3f %8.1f x %5.1f x %5.1f %8d   %s\n") %
                id % object.support % at.x() % at.y() % at.z() % cm.x() % cm.y() %
-               cm.z() % frame.object_points[id] %
+               cm.z() % points %
                (object.truncated   ? "no, truncated"
                 : object.graspable ? "yes"
                                    : "no");
@@ -173,10 +174,9 @@ objectsCsv (const std::vector<FrameSummary>& frames)
       "up_x,up_y,up_z,truncated\n";
   for (const auto& frame : frames)
     for (std::size_t id = 0; id < frame.objects.size(); ++id) {
-      const auto& object = frame.objects[id];
+      const auto& [object, points] = frame.objects[id];
       csv += csvText (frame.name) + ',' + std::to_string (id) + ',' +
-             std::to_string (object.support) + ',' +
-             std::to_string (frame.object_points[id]) +
+             std::to_string (object.support) + ',' + std::to_string (points) +
              (object.graspable ? ",1" : ",0");
       const Eigen::Vector3f vectors[] = {object.centroid,
                                          object.box_center,

@@ -71,7 +71,7 @@ paintObjects (const ViewerFrame& frame, Picture& picture)
       ids.empty() ? 0 : *std::max_element (ids.begin(), ids.end()) + 1;
   const auto& objects = frame.summary().objects;
   for (std::size_t k = 0; k < objects.size(); ++k)
-    for (const auto i : objects[k].indices.indices)
+    for (const auto i : objects[k].object.indices.indices)
       picture[static_cast<std::size_t> (i)] =
           planeColour (first + static_cast<std::uint32_t> (k));
 }
@@ -138,8 +138,8 @@ addObjects (const ViewerFrame& frame, std::vector<ColouredLine>& lines)
       lines.push_back (hullLine (support,
                                  frame.cloud().sensor_origin_.head<3>(),
                                  planeColour (frame.ids()[support.index])));
-  for (const auto& object : frame.summary().objects)
-    for (auto& edge : boxLines (object))
+  for (const auto& summary : frame.summary().objects)
+    for (auto& edge : boxLines (summary.object))
       lines.push_back (std::move (edge));
 }
 

@@ -343,12 +343,12 @@ TEST (FrameSummary, NeedsNoIndicesForItsReports)
            resultJson (input, frames);
   };
   const std::string expected = reports();
-  EXPECT_EQ (objects[0].indices.indices.size(), frames[0].object_points[0]);
+  EXPECT_EQ (objects[0].object.indices.indices.size(), objects[0].points);
   EXPECT_EQ (obstacles[0].obstacle.indices.size(), obstacles[0].points);
   frames[0].freeIndices();
   EXPECT_EQ (reports(), expected);
-  for (const auto& object : objects)
-    EXPECT_EQ (object.indices.indices.capacity(), 0u);
+  for (const auto& summary : objects)
+    EXPECT_EQ (summary.object.indices.indices.capacity(), 0u);
   for (const auto& summary : obstacles)
     EXPECT_EQ (summary.obstacle.indices.capacity(), 0u);
 }

@@ -70,6 +70,11 @@ planeClass (const std::array<double, 4>& coefficients,
  * the floor, or nothing, so that defaultCameraToBase() is assumed. */
 enum class PoseSource { given, simulated, estimated, assumed };
 
+struct ObjectSummary {
+  pcl::SupportedObject object;
+  std::size_t points = 0;
+};
+
 struct ObstacleSummary {
   Obstacle obstacle;
   std::size_t points = 0;
@@ -90,9 +95,7 @@ struct FrameSummary {
   std::vector<PlaneSummary> planes;
   PlaneRejections rejections;
   /** Where options ask for them. */
-  std::vector<pcl::SupportedObject> objects;
-  /** The number of points of each object. */
-  std::vector<std::size_t> object_points;
+  std::vector<ObjectSummary> objects;
   /** Where options ask for them, by increasing distance. */
   std::vector<ObstacleSummary> obstacles;
   VirtualScan scan;
@@ -177,6 +180,7 @@ private:
   pcl::PointCloud<pcl::Label>::Ptr labels_;
   std::vector<pcl::ModelCoefficients> coefficients_;
   std::vector<pcl::PointIndices> inliers_;
+  std::vector<pcl::SupportedObject> objects_;
   std::vector<Obstacle> obstacles_;
 };
 

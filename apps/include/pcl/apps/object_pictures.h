@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/pictures.h>
-#include <pcl/segmentation/supported_object_extraction.h>
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace rgbd_planes {
  * planesPicture(). */
 Picture
 objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
-                const std::vector<pcl::SupportedObject>& objects,
+                const std::vector<ObjectSummary>& objects,
                 const std::vector<SupportPlane>& supports);
 
 } // namespace rgbd_planes
