@@ -5,6 +5,7 @@
 #include <pcl/apps/frame_files.h>
 #include <pcl/apps/frame_slot.h>
 #include <pcl/apps/frame_source.h>
+#include <pcl/apps/frame_truth.h>
 #include <pcl/apps/live_grabber.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/parse_number.h>
@@ -264,8 +265,11 @@ FrameSource::addFile (const fs::path& file)
   const auto extension = file.extension();
   if (extension == ".pcd") {
     refuseDepthOptions (options_, file);
+    for (const auto& truth : truthFiles (file))
+      files_.push_back (truth);
     frames_.push_back ({file.stem(), [file] (Frame& frame) {
                           frame.cloud = readOrganizedPcd (file, &frame.labels);
+                          readTruth (file, frame);
                         }});
     return;
   }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/csv.h>
+#include <pcl/apps/frame_truth.h>
 #include <pcl/apps/obstacle_report.h>
 
 #include <nlohmann/json.hpp>
@@ -87,10 +88,8 @@ obstaclesJson (const FrameSummary& frame)
             {"angle_increment_rad", frame.scan.angle_increment},
             {"ranges_m", frame.scan.ranges}}; // JSON has null for what is infinite
   }
-  for (int row = 0; frame.camera_to_base && row < 3; ++row) {
-    const Eigen::Vector4f values = frame.camera_to_base->matrix().row (row);
-    camera_to_base.push_back ({values[0], values[1], values[2], values[3]});
-  }
+  if (frame.camera_to_base)
+    camera_to_base = poseJson (*frame.camera_to_base);
   for (const auto& [obstacle, points, centroid] : frame.obstacles)
     obstacles.push_back ({{"kind", kindOf (obstacle)},
                           {"points", points},

@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
 #include <pcl/apps/encode_pcd.h>
+#include <pcl/apps/frame_truth.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/output_files.h>
@@ -55,7 +56,9 @@ SCENE_SEED_SENSOR_RESOLUTION, or SCENE_SEED_CAMERA_... with --camera,
   NAME.pcd         the organized cloud, x y z rgb, in metres: z forward, y down
   NAME_truth.pcd   x y z and normal of what each pixel truly sees, the label of its plane
                    (0: none), its object (0: none), obstacle (1: not the floor), edge (1: near one)
-  NAME_colour.png, NAME_depth.png and NAME_planes.png
+  NAME_truth.json  where the camera, the planes and the objects are
+  NAME_colour.png, NAME_depth.png and NAME_planes.png, pictures in colour
+The other applications take NAME.pcd, and what is true about it with it, as sim:SCENE.
 
   pcl_simulate_rgbd room --output simulated
   pcl_simulate_rgbd table_cluttered --seed 7 --sensor ideal --resolution qvga --output simulated
@@ -148,12 +151,14 @@ simulateRgbd (int argc, char** argv)
   };
   write (".pcd", encodePcd (cloud));
   write ("_truth.pcd", encodePcd (truth));
+  write ("_truth.json", encodeSceneTruth (frame));
   write ("_colour.png", encodePng (colourPicture (cloud)));
   write ("_depth.png", encodePng (depthPicture (cloud)));
   write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));
   stopIfInterrupted();
-  std::cout << "Wrote " << (options->output / options->name).string()
-            << ".pcd, _truth.pcd, _colour.png, _depth.png and _planes.png\n";
+  std::cout
+      << "Wrote " << (options->output / options->name).string()
+      << ".pcd, _truth.pcd, _truth.json, _colour.png, _depth.png and _planes.png\n";
   flushOutput();
   files.commit();
 }

@@ -35,6 +35,7 @@ TEST_F (SimulateRgbd, TheFilesHoldTheFrame)
                                        name + "_colour.png",
                                        name + "_depth.png",
                                        name + "_planes.png",
+                                       name + "_truth.json",
                                        name + "_truth.pcd"}));
 
   const auto frame = simulate ("corridor", 3, Sensor::kinect);
@@ -73,7 +74,7 @@ TEST_F (SimulateRgbd, TheSameSeedGivesTheSameFiles)
   for (const char* folder : {"a", "b"})
     ASSERT_EQ (run ("room --seed 2 --output " + std::string (folder)).code, 0);
   const auto files = listFolder (folder_ / "a");
-  ASSERT_EQ (files.size(), 5u);
+  ASSERT_EQ (files.size(), 6u);
   for (const auto& file : files)
     EXPECT_EQ (readFile (folder_ / ("a/" + file)), readFile (folder_ / ("b/" + file)))
         << file;

@@ -45,7 +45,8 @@ struct Frame {
   /** Organized, in the camera frame (x right, y down, z forward), metres; NaN where
    * depth is missing, black where colour is unknown. */
   pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud;
-  /** What the pixels of a simulated frame truly see; null for others. */
+  /** What the pixels of a simulated frame truly see, rendered now or by pcl_simulate_rgbd; null
+   * for others. */
   pcl::PointCloud<TruthPoint>::Ptr truth;
   /** The planes of a simulated frame, see SimulatedFrame::planes. */
   std::vector<Eigen::Vector4f> true_planes;
