@@ -44,7 +44,7 @@ readOrganizedPcd (const std::string& file, PointLabels* labels)
     data += blob.point_step;
   }
   if (labels)
-    *labels = readPointLabels (blob);
+    *labels = readPointLabels (blob, *cloud);
   return cloud;
 }
 

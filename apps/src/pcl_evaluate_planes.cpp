@@ -22,7 +22,8 @@ const char usage[] =
 
 Compares our planes and those of PCL's OrganizedMultiPlaneSegmentation with true ones
 where the input is simulated, or a .pcd file with plane labels (field intensity, as in
-SynPEB), after Hoover et al. (1996) at 80 % overlap. All frames of all inputs count
+SynPEB: whole numbers, and points that share one lie on a plane, which brightness does
+not), after Hoover et al. (1996) at 80 % overlap. All frames of all inputs count
 together; without --resolution, each of the three is tried. Times are of one thread,
 include the normals, and are the fastest of three runs of a frame; worst is the slowest
 frame. Labelled points further than 5 mm + 4 mm z^2 from their plane are off.

@@ -2,7 +2,11 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/point_labels.h>
+#include <pcl/common/centroid.h>
+#include <pcl/features/organized_view.h>
 #include <pcl/type_traits.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +57,7 @@ areObjectsOfMosd (const std::vector<std::uint32_t>& labels)
 
 /** Whole numbers, several ones, mostly with their like beside them. */
 bool
-arePlanes (const std::vector<float>& intensities)
+areLabels (const std::vector<float>& intensities)
 {
   constexpr float max_label = 1e6f;
   std::size_t alike = 0;
@@ -64,6 +68,37 @@ arePlanes (const std::vector<float>& intensities)
            return intensity >= 0.f && intensity <= max_label &&
                   std::floor (intensity) == intensity;
          });
+}
+
+Eigen::Vector4f
+fitPlane (const pcl::PointCloud<pcl::PointXYZRGB>& cloud, const pcl::Indices& points)
+{
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Eigen::Vector4d centroid = Eigen::Vector4d::Zero();
+  pcl::computeMeanAndCovarianceMatrix (cloud, points, covariance, centroid);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
+  const Eigen::Vector3d normal = solver.eigenvectors().col (0);
+  const double d = -normal.dot (centroid.head<3>());
+  const Eigen::Vector4d plane (normal.x(), normal.y(), normal.z(), d);
+  return (d < 0. ? Eigen::Vector4d (-plane) : plane).cast<float>();
+}
+
+/** Whether they are labels of planes, and no brightness. */
+bool
+lieOnPlanes (const pcl::PointCloud<pcl::PointXYZRGB>& points,
+             const pcl::PointCloud<pcl::Label>& labels)
+{
+  constexpr double min_share = 0.95;
+  const auto planes = fitPlanes (labels, points);
+  std::size_t labelled = 0, near = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (labels[i].label == 0 || !isMeasured (points[i].data))
+      continue;
+    const float distance = planes.at (labels[i].label).dot (points[i].getVector4fMap());
+    ++labelled;
+    near += std::abs (distance) <= 0.005f + 0.004f * squaredRange (points[i].data);
+  }
+  return static_cast<double> (near) >= min_share * static_cast<double> (labelled);
 }
 
 template <typename Value>
@@ -81,7 +116,8 @@ makeLabels (PointLabels::Kind kind,
 } // namespace
 
 PointLabels
-readPointLabels (const pcl::PCLPointCloud2& cloud)
+readPointLabels (const pcl::PCLPointCloud2& cloud,
+                 const pcl::PointCloud<pcl::PointXYZRGB>& points)
 {
   if (hasField (cloud, "label") == hasField (cloud, "intensity") ||
       hasField (cloud, "normal_x"))
@@ -90,9 +126,24 @@ readPointLabels (const pcl::PCLPointCloud2& cloud)
   if (areObjectsOfMosd (objects))
     return makeLabels (PointLabels::Kind::objects, objects, cloud);
   const auto planes = valuesOf<float> (cloud, "intensity");
-  if (arePlanes (planes))
-    return makeLabels (PointLabels::Kind::planes, planes, cloud);
-  return {};
+  if (!areLabels (planes))
+    return {};
+  PointLabels labels = makeLabels (PointLabels::Kind::planes, planes, cloud);
+  return lieOnPlanes (points, labels.points) ? labels : PointLabels();
+}
+
+std::map<std::uint32_t, Eigen::Vector4f>
+fitPlanes (const pcl::PointCloud<pcl::Label>& labels,
+           const pcl::PointCloud<pcl::PointXYZRGB>& points)
+{
+  std::map<std::uint32_t, pcl::Indices> points_of;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i].label != 0)
+      points_of[labels[i].label].push_back (static_cast<pcl::index_t> (i));
+  std::map<std::uint32_t, Eigen::Vector4f> planes;
+  for (const auto& [label, indices] : points_of)
+    planes[label] = fitPlane (points, indices);
+  return planes;
 }
 
 } // namespace rgbd_planes

@@ -85,6 +85,26 @@ TEST (PointLabels, OtherFieldsAreNone)
       << "brightness";
 }
 
+// Large areas of a grey image are equally bright, but do not lie on one plane.
+TEST (PointLabels, BrightnessIsNoLabel)
+{
+  const TemporaryFolder folder;
+  const auto kind = [&] (float step_m) {
+    std::ostringstream
+        points; // a wall with a step: its thirds are dark, bright and dark
+    for (int v = 0; v < 30; ++v)
+      for (int u = 0; u < 30; ++u)
+        points << 0.01 * u << ' ' << 0.01 * v << ' ' << (u < 20 ? 1.f : 1.f + step_m)
+               << (u >= 10 && u < 20 ? " 200\n" : " 40\n");
+    writeFile (folder / "wall.pcd", asciiPcd ("x y z intensity", 30, 30, points.str()));
+    PointLabels labels;
+    readOrganizedPcd (folder / "wall.pcd", &labels);
+    return labels.kind;
+  };
+  EXPECT_EQ (kind (0.f), PointLabels::Kind::planes);
+  EXPECT_EQ (kind (0.3f), PointLabels::Kind::none);
+}
+
 TEST (PointLabels, PlanesAreFittedToTheirPoints)
 {
   const TemporaryFolder folder;

@@ -7,6 +7,11 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <map>
+
 namespace pcl {
 namespace rgbd_planes {
 
@@ -31,11 +36,20 @@ struct PointLabels {
  * Of the kind objects from a field label of unsigned 32-bit integers that all are numbers
  * of mOSD, some of them of the table. Of the kind planes from a field intensity of 32-bit
  * floats that are whole numbers, several ones, mostly the same for neighbours in a row, as in
- * SynPEB. None from clouds
+ * SynPEB, where 95 % of the points with a label are within 5 mm + 4 mm r^2 (r: their range in
+ * metres) of a plane: those that are equally bright are not. None from clouds
  * with both fields, or with normals, as results of a segmentation have.
+ * \param[in] points of the cloud, in the same order
  */
 PointLabels
-readPointLabels (const pcl::PCLPointCloud2& cloud);
+readPointLabels (const pcl::PCLPointCloud2& cloud,
+                 const pcl::PointCloud<pcl::PointXYZRGB>& points);
+
+/** \brief For each label but 0, the plane that fits all measured points with it: a, b, c, d, unit
+ * normal, d >= 0. */
+std::map<std::uint32_t, Eigen::Vector4f>
+fitPlanes (const pcl::PointCloud<pcl::Label>& labels,
+           const pcl::PointCloud<pcl::PointXYZRGB>& points);
 
 } // namespace rgbd_planes
 } // namespace pcl
