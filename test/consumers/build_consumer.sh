@@ -37,8 +37,8 @@ case $way in
     mkdir "$work/build"
     export PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig
     # shellcheck disable=SC2046,SC2086
-    c++ "$work/planes.cpp" -o "$work/build/planes" \
-      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io) ${CXXFLAGS:-}
+    c++ ${CXXFLAGS:-} "$work/planes.cpp" -o "$work/build/planes" \
+      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io)
     export LD_LIBRARY_PATH=$prefix/$libdir
     ;;
 esac
