@@ -17,6 +17,9 @@ install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+if(NOT BUILD_SHARED_LIBS)
+  set(pc_static_libs " -lhwy ${OpenMP_CXX_FLAGS}") # in Libs: there are no shared libraries to take
+endif()
 configure_file(cmake/pcl_rgbd_planes.pc.in ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planes.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

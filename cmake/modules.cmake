@@ -5,12 +5,12 @@ target_compile_options(pcl_rgbd_planes_warnings INTERFACE
   -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wunused
   $<$<BOOL:${PCL_RGBD_PLANES_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# pcl_rgbd_planes_add_module(NAME SOURCES... LINK targets...): the shared library
-# pcl_rgbd_planes_NAME with the alias pcl_rgbd_planes::NAME and headers under include/.
+# pcl_rgbd_planes_add_module(NAME SOURCES... LINK targets...): the library pcl_rgbd_planes_NAME,
+# static with BUILD_SHARED_LIBS=OFF, with the alias pcl_rgbd_planes::NAME and headers under include/.
 function(pcl_rgbd_planes_add_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   set(target pcl_rgbd_planes_${name})
-  add_library(${target} SHARED ${arg_SOURCES})
+  add_library(${target} ${arg_SOURCES})
   add_library(pcl_rgbd_planes::${name} ALIAS ${target})
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_include_directories(${target} PUBLIC
@@ -27,12 +27,15 @@ function(pcl_rgbd_planes_add_module name)
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
     CXX_EXTENSIONS OFF
+    # Static libraries as well: they may end up in shared ones.
+    POSITION_INDEPENDENT_CODE ON
     # The modules find each other wherever they are installed.
     INSTALL_RPATH "$ORIGIN"
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   install(TARGETS ${target} EXPORT pcl_rgbd_planesTargets
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-                  COMPONENT runtime NAMELINK_COMPONENT development)
+                  COMPONENT runtime NAMELINK_COMPONENT development
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endfunction()

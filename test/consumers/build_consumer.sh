@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # build_consumer.sh find_package|habits|add_subdirectory|pkg_config SOURCE PREFIX LIBDIR: builds
-# the program of README.md against this project, installed to PREFIX, and runs it on a plane.
+# the program of README.md against this project, installed to PREFIX, and runs it on a plane. With
+# add_subdirectory, libraries are static, and programs are built against them as installed as well.
 set -euo pipefail
 way=$1 source=$2 prefix=$3 libdir=$4
 work=$(mktemp -d)
@@ -30,8 +31,14 @@ case $way in
   add_subdirectory)
     cp "$source/test/consumers/add_subdirectory/CMakeLists.txt" "$work"
     cmake -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Release \
-      -DPCL_RGBD_PLANES_SOURCE="$source" -DPCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES=ON >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+      -DPCL_RGBD_PLANES_SOURCE="$source" -DPCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES=ON \
+      -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_LIBDIR="$libdir" >"$work/log" 2>&1 ||
+      { cat "$work/log"; exit 1; }
     cmake --build "$work/build" --parallel 2
+    cmake --install "$work/build" --prefix "$work/static" >"$work/log"
+    for way in find_package pkg_config; do
+      bash "$0" "$way" "$source" "$work/static" "$libdir"
+    done
     ;;
   pkg_config)
     mkdir "$work/build"
