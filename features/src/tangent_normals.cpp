@@ -11,9 +11,9 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Images of so many columns and more are computed on cells of 2 x 2 pixels: their
- * smoothing areas are so large that it makes no difference but in time. */
-constexpr int min_width_of_cells = 480;
+/** Images whose longer side has so many pixels and more are computed on cells of 2 x 2
+ * pixels: their smoothing areas are so large that it makes no difference but in time. */
+constexpr int min_side_of_cells = 480;
 /** An area is so many times as large as the one before. With depth-dependent smoothing, its
  * size grows with the square root of the range. */
 constexpr float area_growth = 1.4f;
@@ -32,11 +32,12 @@ TangentGrid
 makeGrid (const OrganizedPoints& points, const TangentNormalParameters& parameters)
 {
   TangentGrid grid;
-  grid.step = points.width >= min_width_of_cells ? 2 : 1;
+  const int longer_side = std::max (points.width, points.height);
+  grid.step = longer_side >= min_side_of_cells ? 2 : 1;
   grid.width = (points.width + grid.step - 1) / grid.step;
   grid.height = (points.height + grid.step - 1) / grid.step;
   const float automatic =
-      std::max (static_cast<float> (points.width) * 3.f / 160.f, 4.f);
+      std::max (static_cast<float> (longer_side) * 3.f / 160.f, 4.f);
   const auto half = [&] (float size, float growth, int limit) {
     const float cells = (size == 0.f ? automatic : size) * growth /
                         (2.f * static_cast<float> (grid.step));

@@ -31,6 +31,9 @@ constexpr float min_sigma = 0.00005f;
 /** How large the constant part may well be where no level is near enough to tell, and how far
  * off, of their own, levels may be for that. */
 constexpr double usual_constant = 0.001, level_error = 0.2;
+/** Levels that are farther off in the mean tell another one: that of laser scanners is
+ * centimetres. */
+constexpr double max_error = 1.5 * level_error;
 
 struct Block {
   double range, sigma;
@@ -66,6 +69,45 @@ fitBlock (const OrganizedPoints& points, int left, int top, int side)
     return std::nullopt;
   const double squares = std::max (0., moments.squaredErrors (m));
   return Block{range, std::sqrt (squares / (count - 3.)) * range * range};
+}
+
+using Levels = std::vector<DepthNoiseEstimation::Level>;
+
+/** What a constant and a quadratic part of 1 m give at a level, in its sigmas. */
+Eigen::Vector2d
+partsAt (const DepthNoiseEstimation::Level& level)
+{
+  return Eigen::Vector2d (1., level.range * level.range) / level.sigma;
+}
+
+/** Least squares of the relative errors of all levels, and of the constant part times \a
+ * shrink. */
+Eigen::Vector2d
+fitLevels (const Levels& levels, double shrink)
+{
+  Eigen::Matrix2d products = Eigen::Vector2d (shrink * shrink, 0.).asDiagonal();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (const auto& level : levels) {
+    const Eigen::Vector2d parts = partsAt (level);
+    products += parts * parts.transpose();
+    right += parts;
+  }
+  const Eigen::Vector2d fit = products.ldlt().solve (right);
+  if (fit[0] < 0.)
+    return {0., right[1] / products (1, 1)};
+  if (fit[1] < 0.)
+    return {right[0] / products (0, 0), 0.};
+  return fit;
+}
+
+/** Root of the mean squared relative error of all levels. */
+double
+errorOf (const Eigen::Vector2d& fit, const Levels& levels)
+{
+  double squares = 0.;
+  for (const auto& level : levels)
+    squares += std::pow (fit.dot (partsAt (level)) - 1., 2);
+  return std::sqrt (squares / static_cast<double> (levels.size()));
 }
 
 } // namespace
@@ -117,21 +159,9 @@ DepthNoiseEstimation::estimate (rgbd_planes::DepthNoise& noise) const
         frames_);
     return false;
   }
-  // Least squares of the relative errors of all levels.
-  const double shrink = level_error / usual_constant;
-  Eigen::Matrix2d products = Eigen::Vector2d (shrink * shrink, 0.).asDiagonal();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (const Level& level : levels) {
-    const Eigen::Vector2d row =
-        Eigen::Vector2d (1., level.range * level.range) / level.sigma;
-    products += row * row.transpose();
-    right += row;
-  }
-  Eigen::Vector2d fit = products.ldlt().solve (right);
-  if (fit[0] < 0.)
-    fit = {0., right[1] / products (1, 1)};
-  else if (fit[1] < 0.)
-    fit = {right[0] / products (0, 0), 0.};
+  Eigen::Vector2d fit = fitLevels (levels, level_error / usual_constant);
+  if (errorOf (fit, levels) > max_error)
+    fit = fitLevels (levels, 0.);
   noise = {std::max (for_larger_surfaces * static_cast<float> (fit[0]), 0.0001f),
            std::max (for_larger_surfaces * static_cast<float> (fit[1]), 0.0002f)};
   return true;

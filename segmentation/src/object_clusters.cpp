@@ -23,6 +23,40 @@ constexpr float level_stretch = 1.5f;
 /** The width of the image in widths of the widest margin without depth. */
 constexpr std::uint32_t margins = 20;
 
+/** Square pixels of a camera differ by no more in their angles along rows and columns. */
+constexpr float max_distortion = 1.2f;
+
+/** The angle between the rays of neighbouring points in the lines of an image, in the mean of
+ * some of them; measured piece by piece, for a line may go all around. */
+float
+meanAngle (
+    const OrganizedPoints& points, int lines, int to_line, int length, int to_next)
+{
+  constexpr int line_step = 16, pieces = 8;
+  const int piece = std::max (length / pieces, 1);
+  float angles = 0.f;
+  int pixels = 0;
+  for (int line = 0; line < lines; line += line_step) {
+    const auto ray = [&] (int k) {
+      return points[static_cast<std::size_t> (line * to_line + k * to_next)];
+    };
+    int first = 0, last = length - 1;
+    while (first < last && !isMeasured (ray (first)))
+      ++first;
+    while (first < last && !isMeasured (ray (last)))
+      --last;
+    for (int k = first; first < last; first = k) {
+      k = std::min (first + piece, last);
+      while (!isMeasured (ray (k)))
+        ++k;
+      const Eigen::Map<const Eigen::Vector3f> p (ray (first)), q (ray (k));
+      angles += std::atan2 (p.cross (q).norm(), p.dot (q));
+      pixels += k - first;
+    }
+  }
+  return pixels ? angles / static_cast<float> (pixels) : 0.f;
+}
+
 } // namespace
 
 void
@@ -58,28 +92,14 @@ ObjectClusters::markBackground (const std::vector<std::uint8_t>& selected)
     }
 }
 
+/** Rows of laser scanners are farther apart than columns. */
 void
 ObjectClusters::measurePixelAngle()
 {
-  constexpr int row_step = 16;
-  float angles = 0.f;
-  int pixels = 0;
-  for (int v = 0; v < points_.height; v += row_step) {
-    const auto ray = [&] (int u) {
-      return points_[static_cast<std::size_t> (v * points_.width + u)];
-    };
-    int first = 0, last = points_.width - 1;
-    while (first < last && !isMeasured (ray (first)))
-      ++first;
-    while (first < last && !isMeasured (ray (last)))
-      --last;
-    if (first == last)
-      continue;
-    const Eigen::Map<const Eigen::Vector3f> p (ray (first)), q (ray (last));
-    angles += std::atan2 (p.cross (q).norm(), p.dot (q));
-    pixels += last - first;
-  }
-  pixel_angle_ = pixels ? angles / static_cast<float> (pixels) : 0.f;
+  const int width = points_.width, height = points_.height;
+  const float in_row = meanAngle (points_, height, width, width, 1);
+  const float in_column = meanAngle (points_, width, 1, height, width);
+  pixel_angle_ = in_column > max_distortion * in_row ? in_column : in_row;
 }
 
 LinkLimit

@@ -178,12 +178,18 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
                                    Sums& sums) const
 {
   const std::ptrdiff_t step = stepUpwards (run.first);
+  // What is level with another plane is nowhere, and yet may be too high.
+  const auto isOutside = [&] (std::uint32_t j) {
+    return place_[j] == outside ||
+           (place_[j] == nowhere &&
+            heightAbove (supports_->planes()[sums.support], j / width_, j % width_) >
+                parameters_.max_object_height);
+  };
   visitMargin (run, [&] (std::uint32_t i) {
     bool leaks = false, is_at_background = false;
     const auto lookAt = [&] (std::ptrdiff_t step_to) {
       const std::uint32_t j = next (i, step_to);
-      if ((place_[j] == outside || is_background_[j]) &&
-          limit.allows (points_[i], points_[j]))
+      if ((isOutside (j) || is_background_[j]) && limit.allows (points_[i], points_[j]))
         (is_background_[j] ? is_at_background : leaks) = true;
     };
     lookAt (-points_.width);
@@ -202,7 +208,7 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
       return;
     ++sums.tops;
     sums.going_on += limit.allows (points_[i], points_[k])
-                         ? place_[k] == outside
+                         ? isOutside (k)
                          : squaredRange (points_[k]) < squaredRange (points_[i]);
   });
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "row_corners.h"
+
 #include <pcl/segmentation/support_planes.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -220,8 +221,6 @@ SupportPlanes::outline (const OrganizedPoints& points,
 {
   support.axis_x = support.plane.normal.unitOrthogonal();
   support.axis_y = support.plane.normal.cross (support.axis_x);
-  // A pinhole camera sees convex things as convex: the corners of the hull are the first
-  // or last points of their rows.
   border_.clear();
   const auto agrees = [&] (pcl::index_t index) {
     const float* p = points[static_cast<std::size_t> (index)];
@@ -229,22 +228,9 @@ SupportPlanes::outline (const OrganizedPoints& points,
                                          Eigen::Map<const Eigen::Vector3f> (p),
                                          parameters.noise) < refit_sigmas;
   };
-  for (auto row = inliers.begin(); row != inliers.end();) {
-    const auto longest =
-        row + std::min<std::ptrdiff_t> (points.width, inliers.end() - row);
-    const auto next_row = std::max (
-        std::lower_bound (row, longest, (*row / points.width + 1) * points.width),
-        row + 1);
-    const auto first = std::find_if (row, next_row, agrees);
-    if (first != next_row) {
-      const auto last = std::find_if (std::make_reverse_iterator (next_row),
-                                      std::make_reverse_iterator (first),
-                                      agrees);
-      border_.push_back (support.project (points[static_cast<std::size_t> (*first)]));
-      border_.push_back (support.project (points[static_cast<std::size_t> (*last)]));
-    }
-    row = next_row;
-  }
+  visitCornersOfRows (points, inliers, agrees, [&] (const float* p) {
+    border_.push_back (support.project (p));
+  });
   support.outline.compute (border_, parameters.hull_tolerance);
   border_ = support.outline.corners();
   support.surroundings.compute (border_,

@@ -244,3 +244,24 @@ TEST (TangentNormalAccuracy, NoiseDoesNotTurnSlantedPlanes)
     EXPECT_LE (meanTurn (degrees, 1.5f), 2.f) << degrees << " degrees";
   }
 }
+
+/** A camera that is turned by 90 degrees sees the same. */
+TEST (TangentNormalAccuracy, PortraitImagesAreAsGood)
+{
+  for (const int width : {320, 640}) {
+    const auto plane = synthetic::tiltedPlane (1.5f, 20.f, 30.f);
+    const auto cloud = synthetic::render ({plane}, width, width * 3 / 4, [] (float z) {
+                         return pcl::rgbd_planes::DepthNoise().sigma (z * z);
+                       }).cloud;
+    const auto turned = pcl::make_shared<Cloud> (cloud->height, cloud->width);
+    for (unsigned v = 0; v < cloud->height; ++v)
+      for (unsigned u = 0; u < cloud->width; ++u)
+        (*turned) (v, u) = (*cloud) (u, v);
+    Errors upright, portrait;
+    for (const auto& normal : estimate<Estimation> (cloud))
+      upright.add (normal.getNormalVector3fMap(), plane.normal);
+    for (const auto& normal : estimate<Estimation> (turned))
+      portrait.add (normal.getNormalVector3fMap(), plane.normal);
+    EXPECT_LT (portrait.mean(), 1.05 * upright.mean()) << width;
+  }
+}

@@ -71,6 +71,7 @@ TEST (DepthNoiseEstimation, TwiceTheDeviationOfPixels)
   for (const DepthNoise& truth : {DepthNoise{0.001f, 0.0002f},
                                   DepthNoise{0.0005f, 0.0015f},
                                   DepthNoise{0.f, 0.003f},
+                                  DepthNoise{0.02f, 0.0002f},
                                   DepthNoise{0.002f, 0.004f}})
     for (const unsigned step : {1u, 2u}) {
       DepthNoiseEstimation estimation;

@@ -254,6 +254,21 @@ TEST (SupportedObjectExtraction, TallThingsAreNoObjects)
   EXPECT_EQ (extract (extraction, view).size(), 1u);
 }
 
+/** The top of a crate is level with where what is too high begins. */
+TEST (SupportedObjectExtraction, TallThingsBesideACrateAreNoObjects)
+{
+  const Box post{{2.6f, -0.3f, 0.f}, {0.25f, 0.25f, 1.7f}};
+  for (const float height : {0.305f, 0.31f, 0.315f, 0.32f}) {
+    const Box crate{{2.f, 0.7f, 0.f}, {0.4f, 0.5f, height}};
+    View view = look ({floor_slab, crate, post}, {1.2f, 0.45f}, 0.5f);
+    const std::size_t floor = view.top.at (0), top = view.top.at (1);
+    // What is tall may be no plane, as a person.
+    view.models = {view.models[floor], view.models[top]};
+    view.inliers = {view.inliers[floor], view.inliers[top]};
+    EXPECT_TRUE (extract (view).empty()) << height;
+  }
+}
+
 TEST (SupportedObjectExtraction, LowThingsAreNoise)
 {
   Extraction extraction;

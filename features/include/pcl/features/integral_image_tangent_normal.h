@@ -24,8 +24,9 @@ namespace pcl {
  *
  * -# Tangents are the differences between neighbouring points to the left and right, and
  *    above and below, where both lie on one surface: by a model of the noise of depth;
- *    slanted surfaces are told from steps by the pixels further on. Images of 480 columns and
- *    more are divided into cells of 2 x 2 pixels, whose means do so also in more noise.
+ *    slanted surfaces are told from steps by the pixels further on. Images whose longer
+ *    side has 480 pixels and more are divided into cells of 2 x 2 pixels, whose means do
+ *    so also in more noise.
  * -# Six integral images, exact in fixed-point numbers, give the sums of tangents over the
  *    smoothing area around each cell, their cross product gives its plane, and the sums
  *    over its halves tell how much the surface bends inside.
@@ -112,8 +113,8 @@ public:
   {}
 
   /** \brief Width and height of the smoothing area in pixels. Where the area grows with
-   * range, this is its size at 1 m. Default: 3/160 of the image width, at least 4: less
-   * than for PCL's class, because planes are averaged afterwards.
+   * range, this is its size at 1 m. Default: 3/160 of the longer side of the image, at
+   * least 4: less than for PCL's class, because planes are averaged afterwards.
    * \param[in] normal_smoothing_size more than 0; other values are refused with an
    * error
    */

@@ -16,8 +16,8 @@ namespace pcl {
 namespace rgbd_planes {
 
 struct TangentNormalParameters {
-  /** Size of the smoothing area in pixels. 0: 3/160 of the image width, at least 4, which
-   * is best for Kinect recordings at full, half and quarter resolution. */
+  /** Size of the smoothing area in pixels. 0: 3/160 of the longer side of the image, at
+   * least 4, which is best for Kinect recordings at full, half and quarter resolution. */
   float smoothing_width = 0.f;
   float smoothing_height = 0.f;
   /** Let the area grow with the square root of the range, from its size at 1 m to 2.7 times
