@@ -207,7 +207,11 @@ PlaneExtraction::joinParts()
   joining_.compute (growth_.moments(), parameters_.additions.joining);
   owners_ = growth_.owners();
   giveToJoined();
-  findTileParts (owners_, parts_);
+  if (parameters_.additions.joining) {
+    joining_.computeAlternating (moments_, parts_);
+    if (joining_.planes().size() < moments_.size())
+      giveToJoined();
+  }
   if (parameters_.additions.steps) {
     const double min_side =
         min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
@@ -220,10 +224,8 @@ PlaneExtraction::joinParts()
   }
   if (parameters_.additions.strips) {
     joining_.computeStrips (moments_);
-    if (joining_.planes().size() < moments_.size()) {
+    if (joining_.planes().size() < moments_.size())
       giveToJoined();
-      findTileParts (owners_, parts_);
-    }
   }
   planes_.clear();
   for (const PlaneMoments& moments : moments_)
@@ -240,6 +242,7 @@ PlaneExtraction::giveToJoined()
   for (std::int32_t& owner : owners_)
     if (owner >= 0)
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+  findTileParts (owners_, parts_);
 }
 
 /** Whether the plane is part of a curved surface, or lies in an uneven one, and the points
