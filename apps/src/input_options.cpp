@@ -198,12 +198,13 @@ DepthNoise
 readDepthNoise (const po::variables_map& values)
 {
   if (!values.count ("depth-noise"))
-    return DepthNoise::kinectV1();
+    return DepthNoise::adaptive();
   if (values.count ("corrected"))
     throw AppError ("--depth-noise: the noise of corrected points is that of a Kinect "
                     "v1; leave out --depth-noise or --corrected");
   const auto& text = values["depth-noise"].as<std::string>();
   const std::map<std::string, DepthNoise> sensors{
+      {"adaptive", DepthNoise::adaptive()},
       {"kinect_v1", DepthNoise::kinectV1()},
       {"structured_light", DepthNoise::structuredLight()},
       {"time_of_flight", DepthNoise::timeOfFlight()},

@@ -38,18 +38,16 @@ constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
 constexpr float any_sigmas = 1e9f;
 
-/** Settings that leave out what is not to be added. */
-PlaneExtractionParameters
-effectiveParameters (const PlaneExtractionParameters& parameters)
+/** Leaves out what is not to be added. */
+void
+applyAdditions (PlaneExtractionParameters& parameters)
 {
-  PlaneExtractionParameters result = parameters;
   if (!parameters.additions.creases)
-    result.maximum_curvature = std::numeric_limits<float>::infinity();
+    parameters.maximum_curvature = std::numeric_limits<float>::infinity();
   if (!parameters.additions.noise) {
-    result.noise.constant = parameters.noise.sigma (squared_usual_range);
-    result.noise.quadratic = 0.f;
+    parameters.noise.constant = parameters.noise.sigma (squared_usual_range);
+    parameters.noise.quadratic = 0.f;
   }
-  return result;
 }
 
 bool
@@ -78,16 +76,18 @@ PlaneExtraction::compute (const OrganizedPoints& points,
                           const std::vector<std::uint8_t>& selected,
                           const PlaneExtractionParameters& parameters)
 {
-  parameters_ = effectiveParameters (parameters);
   rejections_ = {};
   times_ = {};
   auto start = std::chrono::steady_clock::now();
+  parameters_ = parameters;
+  parameters_.noise = noiseIn (points, parameters.noise);
+  max_sigmas_ = static_cast<float> (parameters_.distanceThreshold()) /
+                parameters_.noise.sigma (1.f);
+  applyAdditions (parameters_);
   samples_.compute (
       points, normals, selected, parameters_.noise, parameters_.maximum_curvature);
   times_.normal_space = secondsSince (start);
 
-  max_sigmas_ = static_cast<float> (parameters.distanceThreshold()) /
-                parameters.noise.sigma (1.f);
   const double min_samples =
       static_cast<double> (parameters_.min_inliers) / (samples_.step * samples_.step);
   growth_.reset (
@@ -207,7 +207,11 @@ PlaneExtraction::joinParts()
   joining_.compute (growth_.moments(), parameters_.additions.joining);
   owners_ = growth_.owners();
   giveToJoined();
-  findTileParts (owners_, parts_);
+  if (parameters_.additions.joining) {
+    joining_.computeAlternating (moments_, parts_);
+    if (joining_.planes().size() < moments_.size())
+      giveToJoined();
+  }
   if (parameters_.additions.steps) {
     const double min_side =
         min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
@@ -220,10 +224,8 @@ PlaneExtraction::joinParts()
   }
   if (parameters_.additions.strips) {
     joining_.computeStrips (moments_);
-    if (joining_.planes().size() < moments_.size()) {
+    if (joining_.planes().size() < moments_.size())
       giveToJoined();
-      findTileParts (owners_, parts_);
-    }
   }
   planes_.clear();
   for (const PlaneMoments& moments : moments_)
@@ -240,6 +242,7 @@ PlaneExtraction::giveToJoined()
   for (std::int32_t& owner : owners_)
     if (owner >= 0)
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+  findTileParts (owners_, parts_);
 }
 
 /** Whether the plane is part of a curved surface, or lies in an uneven one, and the points

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "tile_bits.h"
+
 #include <pcl/segmentation/plane_joining.h>
 
 #include <Eigen/Eigenvalues>
@@ -25,6 +27,10 @@ constexpr double max_offset = 2.5, max_uncertainty = 0.5;
 constexpr double enough_certainty = 0.0005;
 /** Strips are this many times as far from each other as they are wide. */
 constexpr double min_widths_apart = 15.;
+/** Of a part whose samples alternate with those of a plane, so many lie between two of them
+ * in a row, and in a column; and the root mean square of its errors on that plane is
+ * smaller, in standard deviations. */
+constexpr double min_between = 0.15, max_error_of_alternate = 6.;
 
 /** By how much the mean squared error of either part grows on a plane of both; not finite
  * where there is none. */
@@ -90,6 +96,52 @@ PlaneJoining::computeStrips (const std::vector<PlaneMoments>& parts)
   });
 }
 
+void
+PlaneJoining::computeAlternating (const std::vector<PlaneMoments>& parts,
+                                  const std::vector<TilePart>& tile_parts)
+{
+  findBetween (tile_parts);
+  join (parts, [&] (std::size_t plane, std::size_t part) {
+    const auto [first, last] =
+        std::equal_range (between_.begin(), between_.end(), Between{part}, byPart);
+    std::size_t in_row = 0, in_column = 0;
+    for (auto now = first; now != last; ++now)
+      if (plane_of_part_[now->of] == static_cast<std::int32_t> (plane)) {
+        in_row += now->in_row;
+        in_column += now->in_column;
+      }
+    if (static_cast<double> (std::min (in_row, in_column)) <
+        min_between * static_cast<double> (parts[part].points))
+      return 2.;
+    return parts[part].meanSquaredError (planes_[plane].inverseDistance()) /
+           (max_error_of_alternate * max_error_of_alternate);
+  });
+}
+
+/** Counts the samples of parts that lie between those of others. */
+void
+PlaneJoining::findBetween (const std::vector<TilePart>& tile_parts)
+{
+  between_.clear();
+  for (auto first = tile_parts.begin(), last = first; first != tile_parts.end();
+       first = last) {
+    while (last != tile_parts.end() && last->tile == first->tile)
+      ++last;
+    for (auto of = first; last - first > 1 && of != last; ++of) {
+      const MovedSamples beside = movedSamples (of->own);
+      const unsigned between_in_row = beside.left & beside.right,
+                     between_in_column = beside.up & beside.down;
+      for (auto part = first; part != last; ++part) {
+        const std::size_t in_row = count (part->own & between_in_row),
+                          in_column = count (part->own & between_in_column);
+        if (part != of && in_row + in_column > 0)
+          between_.push_back ({part->plane, of->plane, in_row, in_column});
+      }
+    }
+  }
+  std::sort (between_.begin(), between_.end(), byPart);
+}
+
 /** Joins parts where \a mismatch (plane, part) is 0 for a perfect match, up to 1. */
 template <typename Mismatch>
 void
@@ -102,7 +154,7 @@ PlaneJoining::join (const std::vector<PlaneMoments>& parts, const Mismatch& mism
                                               : a < b;
   });
   planes_.clear();
-  plane_of_part_.resize (parts.size());
+  plane_of_part_.assign (parts.size(), -1);
   for (const std::size_t part : order_) {
     double least = 1.;
     std::size_t best = planes_.size();

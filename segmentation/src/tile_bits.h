@@ -31,14 +31,28 @@ count (unsigned samples)
   return std::bitset<PlaneSamples::tile_size> (samples).count();
 }
 
+/** \a samples moved to each side; what would leave the tile is lost. */
+struct MovedSamples {
+  unsigned left, right, up, down;
+};
+
+inline MovedSamples
+movedSamples (unsigned samples)
+{
+  constexpr unsigned not_last = 0x7777, not_first = 0xeeee, all = 0xffff;
+  return {(samples & not_first) >> 1,
+          (samples & not_last) << 1,
+          samples >> PlaneSamples::tile_side,
+          samples << PlaneSamples::tile_side & all};
+}
+
 /** \a samples and those beside them. */
 inline std::uint16_t
 dilate (std::uint16_t samples)
 {
-  constexpr unsigned not_last = 0x7777, not_first = 0xeeee;
   unsigned bits = samples;
-  bits |= (bits & not_last) << 1 | (bits & not_first) >> 1;
-  bits |= bits << PlaneSamples::tile_side | bits >> PlaneSamples::tile_side;
+  bits |= movedSamples (bits).left | movedSamples (bits).right;
+  bits |= movedSamples (bits).up | movedSamples (bits).down;
   return static_cast<std::uint16_t> (bits);
 }
 

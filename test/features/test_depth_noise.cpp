@@ -7,10 +7,46 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <random>
+#include <vector>
 
 using pcl::rgbd_planes::DepthNoise;
 
 namespace {
+
+/** A tilted wall 1 to 3 m away, with \a factor times the noise of a Kinect; one point in
+ * \a measured is measured. */
+std::vector<float>
+tiltedWall (int width, int height, float factor, int measured = 1)
+{
+  std::mt19937 random (1);
+  std::normal_distribution<float> error;
+  std::vector<float> points;
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
+      const float x = static_cast<float> (2 * u - width) / static_cast<float> (width),
+                  y = static_cast<float> (2 * v - height) / static_cast<float> (width);
+      const float true_z = 1.5f / (1.f - 0.5f * x - 0.3f * y);
+      const float range = true_z * std::sqrt (1.f + x * x + y * y);
+      const float noise = factor * DepthNoise().sigma (range * range) * error (random);
+      const float z = true_z * (1.f + noise / range);
+      const bool is_measured = (u + v) % measured == 0;
+      for (const float value : {x * z, y * z, z})
+        points.push_back (is_measured ? value
+                                      : std::numeric_limits<float>::quiet_NaN());
+    }
+  return points;
+}
+
+float
+noiseOf (const std::vector<float>& points,
+         int width,
+         int height,
+         const DepthNoise& noise)
+{
+  return noiseIn ({points.data(), 3, width, height}, noise).sigma (1.f);
+}
 
 /** The preset is at most \a smaller below and \a larger above a published curve, in metres,
  * from 0.5 m to \a end. */
@@ -76,4 +112,38 @@ TEST (DepthNoise, PresetsEndWhereTheirSensorsDo)
   EXPECT_EQ (DepthNoise::structuredLight().max_range, 3.5f);
   EXPECT_EQ (DepthNoise::timeOfFlight().max_range, 5.5f);
   EXPECT_EQ (DepthNoise::activeStereo().max_range, 5.f);
+}
+
+TEST (DepthNoise, FramesMayHaveMoreThanTheLeast)
+{
+  const float usual = DepthNoise().sigma (1.f);
+  for (const auto& [width, height] : {std::pair{640, 480}, {120, 160}}) {
+    const std::vector<float> noisy = tiltedWall (width, height, 2.5f);
+    EXPECT_NEAR (noiseOf (noisy, width, height, DepthNoise::adaptive()),
+                 2.5f * usual,
+                 0.25f * usual);
+    EXPECT_EQ (noiseOf (noisy, width, height, DepthNoise::kinectV1()), usual);
+    const std::vector<float> precise = tiltedWall (width, height, 0.5f);
+    EXPECT_EQ (noiseOf (precise, width, height, DepthNoise::adaptive()), usual);
+  }
+}
+
+TEST (DepthNoise, WhatSaysNothingOfNoiseLeavesTheLeast)
+{
+  const float usual = DepthNoise().sigma (1.f);
+  const auto noiseOfWall = [] (int width, int height, int measured) {
+    return noiseOf (tiltedWall (width, height, 5.f, measured),
+                    width,
+                    height,
+                    DepthNoise::adaptive());
+  };
+  EXPECT_EQ (noiseOfWall (0, 0, 1), usual);
+  EXPECT_EQ (noiseOfWall (1, 1, 1), usual);
+  EXPECT_EQ (noiseOfWall (1000, 1, 1), usual);
+  EXPECT_EQ (noiseOfWall (10, 10, 1), usual);
+  EXPECT_EQ (noiseOfWall (640, 480, 1000), usual);
+  const std::vector<float> zeros (3 * 640 * 480, 0.f),
+      huge (3 * 640 * 480, std::numeric_limits<float>::max());
+  EXPECT_EQ (noiseOf (zeros, 640, 480, DepthNoise::adaptive()), usual);
+  EXPECT_EQ (noiseOf (huge, 640, 480, DepthNoise::adaptive()), usual);
 }

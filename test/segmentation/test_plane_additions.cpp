@@ -289,6 +289,18 @@ TEST (PlaneAdditions, JoiningUnitesAWallBehindAColumn)
   EXPECT_EQ (extract (wall, additions).planes().size(), 2u);
 }
 
+TEST (PlaneAdditions, JoiningUnitesWhatMuchNoiseParts)
+{
+  const Scene scene = render ({tiltedPlane (0.8f, 60.f, 0.f)}, 640, 480, [] (float z) {
+    return 2.5f * kinectSigma (z);
+  });
+  const auto normals = estimateNormals (scene.cloud);
+  PlaneAdditions additions;
+  EXPECT_EQ (extract (*scene.cloud, *normals, additions).planes().size(), 1u);
+  additions.joining = false;
+  EXPECT_GE (extract (*scene.cloud, *normals, additions).planes().size(), 2u);
+}
+
 TEST (PlaneAdditions, StepsPartTheEdgeOfATableFromItsLegs)
 {
   // Both legs lie 12 mm behind the edge.

@@ -10,6 +10,7 @@
 
 using pcl::rgbd_planes::PlaneJoining;
 using pcl::rgbd_planes::PlaneMoments;
+using pcl::rgbd_planes::TilePart;
 
 namespace {
 
@@ -42,6 +43,22 @@ planesOf (const std::vector<PlaneMoments>& parts)
 }
 
 using Planes = std::vector<std::int32_t>;
+
+/** Of a square and a second one at the same place, \a offset standard deviations behind it,
+ * which own so much of each tile of the image. */
+Planes
+planesWhere (std::uint16_t own, std::uint16_t own_of_second, double offset)
+{
+  const std::vector<PlaneMoments> parts{squareAt (0., 0.4), squareAt (0., 0.2, offset)};
+  std::vector<TilePart> tile_parts;
+  for (std::uint32_t tile = 0; tile < parts[1].points / 8; ++tile) {
+    tile_parts.push_back ({0, tile, own});
+    tile_parts.push_back ({1, tile, own_of_second});
+  }
+  PlaneJoining joining;
+  joining.computeAlternating (parts, tile_parts);
+  return joining.planeOfPart();
+}
 
 } // namespace
 
@@ -81,4 +98,20 @@ TEST (PlaneJoining, JoinsSmallPartsByALargeOne)
   EXPECT_EQ (
       planesOf ({squareAt (-0.3, 0.12), squareAt (0.3, 0.1), squareAt (0., 0.3)}),
       (Planes{0, 0, 0}));
+}
+
+TEST (PlaneJoining, JoinsPartsThatAlternate)
+{
+  constexpr std::uint16_t checks = 0xa5a5, other_checks = 0x5a5a;
+  EXPECT_EQ (planesWhere (checks, other_checks, 4.5), (Planes{0, 0}));
+  // Such as a fence before a wall.
+  EXPECT_EQ (planesWhere (checks, other_checks, 8.), (Planes{0, 1}));
+}
+
+TEST (PlaneJoining, LeavesPartsThatLieSideBySide)
+{
+  EXPECT_EQ (planesWhere (0x3333, 0xcccc, 4.5), (Planes{0, 1}));
+  // Stripes: the one are between the others in rows alone.
+  EXPECT_EQ (planesWhere (0x5555, 0xaaaa, 4.5), (Planes{0, 1}));
+  EXPECT_EQ (planesWhere (0xf0f0, 0x0f0f, 4.5), (Planes{0, 1}));
 }

@@ -102,6 +102,23 @@ TEST (PlaneSettings, NoisySensorsHaveAWiderThreshold)
   EXPECT_GE (result.inliers[0].indices.size(), 0.8 * scene.cloud->size());
 }
 
+TEST (PlaneSettings, FramesMayHaveMoreNoiseThanIsNotSet)
+{
+  const Scene scene = render ({tiltedPlane (1.5f, 0.f, 0.f)}, 640, 480, [] (float z) {
+    return 2.5f * kinectSigma (z);
+  });
+  Ours segmentation;
+  EXPECT_TRUE (segmentation.getDepthNoise().is_least);
+  Result result;
+  segment (segmentation, scene.cloud, result);
+  ASSERT_EQ (result.models.size(), 1u);
+  EXPECT_GE (result.inliers[0].indices.size(), 0.75 * scene.cloud->size());
+  // So far off are points of uneven surfaces alone.
+  segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise::kinectV1());
+  segment (segmentation, result);
+  EXPECT_EQ (result.models.size(), 0u);
+}
+
 TEST (PlaneSettings, ThresholdIsWiderAmidAPlaneThanAtItsBorder)
 {
   const Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 640, 480);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 
 #include <limits>
@@ -32,6 +33,8 @@ struct DepthNoise {
   float quadratic = 0.002f;
   /** Points further away are not used, in metres. */
   float max_range = std::numeric_limits<float>::infinity();
+  /** Whether a frame may have more: see noiseIn(). */
+  bool is_least = false;
 
   float
   sigma (float squared_range) const
@@ -53,6 +56,16 @@ struct DepthNoise {
   kinectV1 ()
   {
     return {};
+  }
+
+  /** \brief That of a Kinect v1 or, in frames that have more of it, so many times as much, as
+   * measured on each of them: what to take where the sensor is not known. */
+  static DepthNoise
+  adaptive ()
+  {
+    DepthNoise noise = kinectV1();
+    noise.is_least = true;
+    return noise;
   }
 
   /** \brief What pcl::DepthWarpCorrection leaves of the errors of a Kinect v1: 0.5 mm +
@@ -110,6 +123,17 @@ struct DepthNoise {
     return {0.0005f, 0.003f, 5.f};
   }
 };
+
+/** \brief The noise of a frame: \a noise, but where that is the least, so many times as much
+ * as the frame has more.
+ *
+ * At the corners of small rectangles of the image, a difference of differences of inverse
+ * ranges is 0 on planes, and on cylinders along the image as well. The factor is the median of
+ * its size by what \a noise lets expect. What is smooth over a fortieth of the image's width is
+ * not seen.
+ */
+PCL_RGBD_PLANES_EXPORTS DepthNoise
+noiseIn (const OrganizedPoints& points, const DepthNoise& noise);
 
 /** \brief What setters of the noise of a sensor do: \a noise becomes \a value. One that is
  * negative, 0 at a range of 1 m, not finite, or without a range: an error message, and the

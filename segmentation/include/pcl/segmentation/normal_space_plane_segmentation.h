@@ -187,7 +187,7 @@ public:
   }
 
   /** \brief The noise of the sensor, which says how far the points of a plane spread;
-   * default rgbd_planes::DepthNoise::kinectV1 (). A noise of 0 m or less, NaN or Inf, and
+   * default rgbd_planes::DepthNoise::adaptive (). A noise of 0 m or less, NaN or Inf, and
    * a range of 0 m or less, are refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
@@ -328,7 +328,7 @@ public:
   }
 
   /** \brief Covariance of a, b, c, d of each plane of the last call: to first order in the
-   * noise, which is that of getDepthNoise () along the viewing rays, and independent for
+   * noise, which is that of getDepthNoise (), or more in frames that have more, along the viewing rays, and independent for
    * each point (neighbouring pixels of real sensors are not, so that planes are less
    * certain). a, b, c in units of 1, d in metres; of rank 3, for (a, b, c) keeps its
    * length. */

@@ -5,6 +5,7 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/tile_parts.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,14 @@ public:
   void
   compute (const std::vector<PlaneMoments>& parts, bool join);
 
+  /** \brief Joins parts whose samples alternate in the image, as no two surfaces do but as
+   * noise has it that is larger than the model says.
+   * \param[in] tile_parts what each part owns in each tile, tile after tile
+   */
+  void
+  computeAlternating (const std::vector<PlaneMoments>& parts,
+                      const std::vector<TilePart>& tile_parts);
+
   /** \brief Joins strips, such as the front sides of two legs of a table, that lie apart:
    * how they are turned about their long sides is not known well enough to tell whether the
    * plane of one meets the other. */
@@ -48,6 +57,20 @@ public:
   }
 
 private:
+  /** How many samples of a part lie between two of another one, in a tile. */
+  struct Between {
+    std::size_t part, of, in_row, in_column;
+  };
+
+  static bool
+  byPart (const Between& a, const Between& b)
+  {
+    return a.part < b.part;
+  }
+
+  void
+  findBetween (const std::vector<TilePart>& tile_parts);
+
   template <typename Mismatch>
   void
   join (const std::vector<PlaneMoments>& parts, const Mismatch& mismatch);
@@ -57,6 +80,7 @@ private:
   std::vector<std::int32_t> plane_of_part_;
   /** Of parts that may be strips. */
   std::vector<double> widths_;
+  std::vector<Between> between_;
 };
 
 } // namespace rgbd_planes

@@ -298,7 +298,7 @@ public:
     return parameters_.max_graspable_side;
   }
 
-  /** \brief The noise of the sensor; default that of a Kinect v1. Points beyond its range are
+  /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::adaptive (). Points beyond its range are
    * left out. A noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
@@ -374,11 +374,13 @@ private:
               const std::vector<PointIndices>& inlier_indices) const;
 
   const std::vector<rgbd_planes::ObjectCluster>&
-  findClusters (const rgbd_planes::OrganizedPoints& points);
+  findClusters (const rgbd_planes::OrganizedPoints& points,
+                const rgbd_planes::ObjectParameters& parameters);
 
   void
   describe (const rgbd_planes::OrganizedPoints& points,
             const rgbd_planes::ObjectCluster& cluster,
+            const rgbd_planes::ObjectParameters& parameters,
             SupportedObject& object);
 
   PointCloudNConstPtr normals_;

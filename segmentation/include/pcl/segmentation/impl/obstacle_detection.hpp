@@ -96,6 +96,8 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
   const Eigen::Vector3f origin = input_->sensor_origin_.template head<3>();
   rgbd_planes::ObstacleParameters parameters = parameters_;
   parameters.camera_to_base.translate (origin);
+  const auto points = relative_points_.of (*input_);
+  parameters.points.noise = noiseIn (points, parameters_.points.noise);
   planes_.coefficients.clear();
   for (const auto& plane : coefficients_)
     planes_.coefficients.push_back (rgbd_planes::shifted (plane, -origin));
@@ -104,7 +106,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
   planes_.labels = &labels_->front().label;
   planes_.stride = sizeof (PointLT) / sizeof (std::uint32_t);
   extraction_.compute (
-      relative_points_.of (*input_),
+      points,
       {&normal.normal_x, &normal.curvature, sizeof (PointNT) / sizeof (float)},
       planes_,
       indices_ ? selected_.data() : nullptr,

@@ -87,14 +87,16 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
   }
   rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
   const auto points = relative_points_.of (*input_);
+  rgbd_planes::ObjectParameters parameters = parameters_;
+  parameters.noise = noiseIn (points, parameters_.noise);
   std::size_t count = 0;
-  for (const auto& cluster : findClusters (points)) {
+  for (const auto& cluster : findClusters (points, parameters)) {
     // A strip of the wall behind a table is no object.
     if (rgbd_planes::liesOnOneOf (
-            supports_.background(), points, cluster.runs, parameters_.noise))
+            supports_.background(), points, cluster.runs, parameters.noise))
       continue;
     objects.resize (std::max (objects.size(), count + 1));
-    describe (points, cluster, objects[count]);
+    describe (points, cluster, parameters, objects[count]);
     objects[count].centroid += origin;
     objects[count++].box_center += origin;
   }
@@ -104,11 +106,12 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
 template <typename PointT, typename PointNT>
 const std::vector<rgbd_planes::ObjectCluster>&
 SupportedObjectExtraction<PointT, PointNT>::findClusters (
-    const rgbd_planes::OrganizedPoints& points)
+    const rgbd_planes::OrganizedPoints& points,
+    const rgbd_planes::ObjectParameters& parameters)
 {
   const Eigen::Translation3f sensor (input_->sensor_origin_.template head<3>());
-  supports_.compute (points, planes_, camera_to_base_ * sensor, parameters_);
-  clustering_.compute (points, selected_, supports_, parameters_);
+  supports_.compute (points, planes_, camera_to_base_ * sensor, parameters);
+  clustering_.compute (points, selected_, supports_, parameters);
   if (!parameters_.split_at_concave_edges)
     return clustering_.clusters();
   const PointNT& first = normals_->front();
@@ -118,7 +121,7 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
       clustering_.pixelAngle(),
       planes_,
       supports_.planes(),
-      parameters_,
+      parameters,
       clustering_.clusters());
   return split_.parts();
 }
@@ -128,6 +131,7 @@ void
 SupportedObjectExtraction<PointT, PointNT>::describe (
     const rgbd_planes::OrganizedPoints& points,
     const rgbd_planes::ObjectCluster& cluster,
+    const rgbd_planes::ObjectParameters& parameters,
     SupportedObject& object)
 {
   const auto& support = supports_.planes()[cluster.support];
@@ -143,15 +147,15 @@ SupportedObjectExtraction<PointT, PointNT>::describe (
     }
   object.centroid = (sum / static_cast<double> (indices.size())).template cast<float>();
   const rgbd_planes::ObjectBox box =
-      boxes_.compute (points, indices, support, parameters_.noise);
+      boxes_.compute (points, indices, support, parameters.noise);
   object.box_center = box.center;
   object.box_axes = box.axes;
   object.box_size = box.size;
   object.support = support.index;
   object.truncated = clustering_.isTruncated (cluster.runs);
   object.graspable = !object.truncated &&
-                     box.size.minCoeff() >= parameters_.min_graspable_side &&
-                     box.size.minCoeff() <= parameters_.max_graspable_side;
+                     box.size.minCoeff() >= parameters.min_graspable_side &&
+                     box.size.minCoeff() <= parameters.max_graspable_side;
 }
 
 } // namespace pcl
