@@ -187,25 +187,23 @@ addDepthNoiseOption (po::options_description& options)
       "depth-noise",
       po::value<std::string>()->value_name ("SENSOR|CONSTANT,QUADRATIC"),
       "the sensor whose noise and range to expect, points beyond are left out: "
-      "adaptive, if not said: kinect_v1, or as much more as each frame has; kinect_v1, "
-      "any range; structured_light, up to 3.5 m: Xtion, Carmine and Astra, which are "
-      "kinect_v1 where more is in view; time_of_flight, up to 5.5 m: Kinect v2 and "
-      "Azure Kinect; active_stereo, up to 5 m: RealSense D4xx; or the standard "
-      "deviation in metres, at any range: 0.001,0.002 is 1 mm + "
-      "2 mm z^2");
+      "kinect_v1, if not said, any range; structured_light, up to 3.5 m: Xtion, "
+      "Carmine and Astra, which are kinect_v1 where more is in view; time_of_flight, "
+      "up to 5.5 m: Kinect v2 and Azure Kinect; active_stereo, up to 5 m: RealSense "
+      "D4xx; frames that have more noise count as having it. Or the standard deviation "
+      "in metres, at any range: 0.001,0.002 is 1 mm + 2 mm z^2");
 }
 
 DepthNoise
 readDepthNoise (const po::variables_map& values)
 {
   if (!values.count ("depth-noise"))
-    return DepthNoise::adaptive();
+    return DepthNoise::kinectV1();
   if (values.count ("corrected"))
     throw AppError ("--depth-noise: the noise of corrected points is that of a Kinect "
                     "v1; leave out --depth-noise or --corrected");
   const auto& text = values["depth-noise"].as<std::string>();
   const std::map<std::string, DepthNoise> sensors{
-      {"adaptive", DepthNoise::adaptive()},
       {"kinect_v1", DepthNoise::kinectV1()},
       {"structured_light", DepthNoise::structuredLight()},
       {"time_of_flight", DepthNoise::timeOfFlight()},
@@ -214,8 +212,8 @@ readDepthNoise (const po::variables_map& values)
     return known->second;
   if (text.find (',') == std::string::npos)
     throw AppError ("--depth-noise: '" + text +
-                    "' must be adaptive, kinect_v1, structured_light, "
-                    "time_of_flight, active_stereo or CONSTANT,QUADRATIC");
+                    "' must be kinect_v1, structured_light, time_of_flight, "
+                    "active_stereo or CONSTANT,QUADRATIC");
   const auto [constant, quadratic] = parseCoefficients ("--depth-noise", text);
   return {constant, quadratic};
 }

@@ -69,7 +69,7 @@ extract (const Cloud& cloud,
 {
   pcl::rgbd_planes::PlaneExtractionParameters parameters;
   parameters.additions = additions;
-  parameters.noise = pcl::rgbd_planes::DepthNoise::kinectV1();
+  parameters.noise = pcl::rgbd_planes::DepthNoise();
   pcl::rgbd_planes::PlaneExtraction extraction;
   extraction.compute (pcl::rgbd_planes::viewPoints (cloud),
                       {&normals[0].normal_x,

@@ -114,7 +114,7 @@ TEST (PlaneSettings, FramesMayHaveMoreNoiseThanIsNotSet)
   ASSERT_EQ (result.models.size(), 1u);
   EXPECT_GE (result.inliers[0].indices.size(), 0.75 * scene.cloud->size());
   // So far off are points of uneven surfaces alone.
-  segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise::kinectV1());
+  segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise());
   segment (segmentation, result);
   EXPECT_EQ (result.models.size(), 0u);
 }

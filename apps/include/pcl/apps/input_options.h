@@ -49,7 +49,7 @@ parseCoefficients (const std::string& option, const std::string& text);
 void
 addDepthNoiseOption (boost::program_options::options_description& options);
 
-/** \brief The value of --depth-noise, by default DepthNoise::adaptive(); AppError where there is
+/** \brief The value of --depth-noise, by default DepthNoise::kinectV1(); AppError where there is
  * no such sensor, or --corrected, which knows what noise is left, is given as well. */
 DepthNoise
 readDepthNoise (const boost::program_options::variables_map& values);

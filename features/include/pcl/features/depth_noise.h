@@ -15,9 +15,10 @@ namespace rgbd_planes {
 /** \brief Standard deviation of measured depth, constant + quadratic * range^2, in
  * metres, and the range up to which depth is worth using.
  *
- * The defaults are those of kinectV1 (). All presets describe the random error of matt
+ * The defaults are the figures of kinectV1 (). All presets describe the random error of matt
  * surfaces that face the sensor indoors; sunlight, dark or shiny surfaces and grazing
- * views add to it.
+ * views add to it. So those of sensors are the least: planes, objects and obstacles count a
+ * frame that has more noise as having it (noiseIn()). Figures of your own are taken as they are.
  *
  * Of stereo cameras, the quadratic part is the error of disparity by focal length and
  * baseline, 0.1 px / (640 px * 0.05 m) = 3.1 mm: take what is found for yours, or what
@@ -33,7 +34,7 @@ struct DepthNoise {
   float quadratic = 0.002f;
   /** Points further away are not used, in metres. */
   float max_range = std::numeric_limits<float>::infinity();
-  /** Whether a frame may have more: see noiseIn(). */
+  /** Whether frames may have more: see noiseIn(). */
   bool is_least = false;
 
   float
@@ -55,17 +56,7 @@ struct DepthNoise {
   static DepthNoise
   kinectV1 ()
   {
-    return {};
-  }
-
-  /** \brief That of a Kinect v1 or, in frames that have more of it, so many times as much, as
-   * measured on each of them: what to take where the sensor is not known. */
-  static DepthNoise
-  adaptive ()
-  {
-    DepthNoise noise = kinectV1();
-    noise.is_least = true;
-    return noise;
+    return {0.001f, 0.002f, std::numeric_limits<float>::infinity(), true};
   }
 
   /** \brief What pcl::DepthWarpCorrection leaves of the errors of a Kinect v1: 0.5 mm +
@@ -92,7 +83,7 @@ struct DepthNoise {
   static DepthNoise
   structuredLight ()
   {
-    return {0.0005f, 0.0015f, 3.5f};
+    return {0.0005f, 0.0015f, 3.5f, true};
   }
 
   /** \brief Time of flight, as Kinect v2 and Azure Kinect measure it: 1 mm + 0.2 mm z^2, up
@@ -108,7 +99,7 @@ struct DepthNoise {
   static DepthNoise
   timeOfFlight ()
   {
-    return {0.001f, 0.0002f, 5.5f};
+    return {0.001f, 0.0002f, 5.5f, true};
   }
 
   /** \brief Active stereo, as RealSense D4xx measure it: 0.5 mm + 3 mm z^2, up to 5 m.
@@ -120,7 +111,7 @@ struct DepthNoise {
   static DepthNoise
   activeStereo ()
   {
-    return {0.0005f, 0.003f, 5.f};
+    return {0.0005f, 0.003f, 5.f, true};
   }
 };
 

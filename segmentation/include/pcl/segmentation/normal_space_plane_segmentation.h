@@ -187,7 +187,7 @@ public:
   }
 
   /** \brief The noise of the sensor, which says how far the points of a plane spread;
-   * default rgbd_planes::DepthNoise::adaptive (). A noise of 0 m or less, NaN or Inf, and
+   * default rgbd_planes::DepthNoise::kinectV1 (). A noise of 0 m or less, NaN or Inf, and
    * a range of 0 m or less, are refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)

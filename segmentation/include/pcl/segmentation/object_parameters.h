@@ -31,7 +31,7 @@ struct ObjectParameters {
   float min_graspable_side = 0.01f;
   float max_graspable_side = 0.1f;
   bool split_at_concave_edges = false;
-  DepthNoise noise = DepthNoise::adaptive();
+  DepthNoise noise = DepthNoise::kinectV1();
 };
 
 } // namespace rgbd_planes

@@ -18,7 +18,7 @@ namespace pcl {
 namespace rgbd_planes {
 
 struct ObstaclePointParameters {
-  DepthNoise noise = DepthNoise::adaptive();
+  DepthNoise noise = DepthNoise::kinectV1();
   /** Of the lowest obstacles that are told by their height, metres; those lower than three
    * standard deviations of the height of a point may be missed. */
   float min_height = 0.01f;

@@ -45,7 +45,7 @@ struct PlaneExtractionParameters {
    * far off. */
   double min_near_normals = 0.75;
   NormalSpaceGrid grid = NormalSpaceGrid::voxels;
-  DepthNoise noise = DepthNoise::adaptive();
+  DepthNoise noise = DepthNoise::kinectV1();
   PlaneAdditions additions;
 
   /** Its default suits a Kinect and its like, whose planes are bent as well; sensors with
