@@ -14,29 +14,29 @@ namespace rgbd_planes {
 namespace {
 
 /** Rectangles along the longer side of the image, every second of which is looked at. */
-constexpr int rectangles_in_a_row = 80;
-constexpr std::size_t min_rectangles = 100;
+constexpr std::size_t rectangles_in_a_row = 80;
+constexpr std::ptrdiff_t min_rectangles = 100;
 /** The median of a normal distribution's sizes, in standard deviations. */
 constexpr float median_size = 0.6745f;
 
-/** The error of a rectangle, in standard deviations; NaN where a corner is missing. */
+/** The error of the rectangle of \a side pixels from point \a first on, in standard deviations;
+ * not finite where a corner is missing. */
 float
 errorOfRectangle (const OrganizedPoints& points,
                   const DepthNoise& noise,
                   std::size_t first,
-                  std::size_t right,
-                  std::size_t down)
+                  std::size_t side)
 {
-  float inverse[4], squared_range = 0.f;
-  const std::size_t corners[4] = {
-      first + right + down, first + right, first + down, first};
-  for (std::size_t k = 0; k < 4; ++k) {
-    squared_range = squaredRange (points[corners[k]]);
-    inverse[k] = 1.f / std::sqrt (squared_range);
-  }
-  // That of each inverse range, to first order, is sigma / range^2; four of them differ twice as much.
-  const float sigma = 2.f * noise.sigma (squared_range) / squared_range;
-  return std::abs (inverse[0] - inverse[1] - inverse[2] + inverse[3]) / sigma;
+  const auto inverseRange = [&points] (std::size_t i) {
+    return 1.f / std::sqrt (squaredRange (points[i]));
+  };
+  const std::size_t down = side * static_cast<std::size_t> (points.width);
+  const float square = squaredRange (points[first]);
+  // That of an inverse range is sigma / range^2, to first order.
+  const float sigma = 2.f * noise.sigma (square) / square;
+  return std::abs (inverseRange (first) - inverseRange (first + side) -
+                   inverseRange (first + down) + inverseRange (first + down + side)) /
+         sigma;
 }
 
 } // namespace
@@ -46,27 +46,21 @@ noiseIn (const OrganizedPoints& points, const DepthNoise& noise)
 {
   if (!noise.is_least)
     return noise;
-  const int side =
-      std::max (1, std::max (points.width, points.height) / rectangles_in_a_row);
+  const auto width = static_cast<std::size_t> (points.width),
+             height = static_cast<std::size_t> (points.height);
+  const std::size_t side =
+      std::max<std::size_t> (1, std::max (width, height) / rectangles_in_a_row);
   std::array<float, (rectangles_in_a_row + 1) * (rectangles_in_a_row + 1)> errors;
-  std::size_t number = 0;
-  for (int v = 0; v + side < points.height; v += 2 * side)
-    for (int u = 0; u + side < points.width; u += 2 * side) {
-      const auto width = static_cast<std::size_t> (points.width);
-      const float error = errorOfRectangle (points,
-                                            noise,
-                                            static_cast<std::size_t> (v) * width +
-                                                static_cast<std::size_t> (u),
-                                            static_cast<std::size_t> (side),
-                                            static_cast<std::size_t> (side) * width);
-      errors[number] = error;
-      number += std::isfinite (error);
+  auto end = errors.begin();
+  for (std::size_t v = 0; v + side < height; v += 2 * side)
+    for (std::size_t u = 0; u + side < width; u += 2 * side) {
+      *end = errorOfRectangle (points, noise, v * width + u, side);
+      end += std::isfinite (*end);
     }
-  if (number < min_rectangles)
+  if (end - errors.begin() < min_rectangles)
     return noise;
-  const auto median = errors.begin() + static_cast<std::ptrdiff_t> (number / 2);
-  std::nth_element (
-      errors.begin(), median, errors.begin() + static_cast<std::ptrdiff_t> (number));
+  const auto median = errors.begin() + (end - errors.begin()) / 2;
+  std::nth_element (errors.begin(), median, end);
   const float factor = std::max (1.f, *median / median_size);
   return {factor * noise.constant, factor * noise.quadratic, noise.max_range};
 }

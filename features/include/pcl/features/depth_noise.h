@@ -120,8 +120,8 @@ struct DepthNoise {
  *
  * At the corners of small rectangles of the image, a difference of differences of inverse
  * ranges is 0 on planes, and on cylinders along the image as well. The factor is the median of
- * its size by what \a noise lets expect. What is smooth over a fortieth of the image's width is
- * not seen.
+ * its size by what \a noise lets expect. What is smooth over an eightieth of the image's longer
+ * side is not seen.
  */
 PCL_RGBD_PLANES_EXPORTS DepthNoise
 noiseIn (const OrganizedPoints& points, const DepthNoise& noise);
