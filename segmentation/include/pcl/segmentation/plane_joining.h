@@ -59,7 +59,7 @@ public:
 private:
   /** How many samples of a part lie between two of another one, in a tile. */
   struct Between {
-    std::size_t part, of, in_row, in_column;
+    std::size_t part = 0, of = 0, in_row = 0, in_column = 0;
   };
 
   static bool
