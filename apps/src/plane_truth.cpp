@@ -29,7 +29,7 @@ labelledPlanes (const Frame& frame, std::uint32_t step)
   const auto& labels = frame.labels.points;
   PlaneSet planes;
   std::map<std::uint32_t, std::uint32_t> plane_of{{0, unlabelled}};
-  for (const auto& [label, plane] : fitPlanes (labels, *frame.cloud)) {
+  for (const auto& [label, plane] : frame.labels.planes) {
     plane_of[label] = static_cast<std::uint32_t> (planes.coefficients.size());
     planes.coefficients.push_back (plane);
   }

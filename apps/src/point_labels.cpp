@@ -83,18 +83,31 @@ fitPlane (const pcl::PointCloud<pcl::PointXYZRGB>& cloud, const pcl::Indices& po
   return (d < 0. ? Eigen::Vector4d (-plane) : plane).cast<float>();
 }
 
+std::map<std::uint32_t, Eigen::Vector4f>
+fitPlanes (const pcl::PointCloud<pcl::Label>& labels,
+           const pcl::PointCloud<pcl::PointXYZRGB>& points)
+{
+  std::map<std::uint32_t, pcl::Indices> points_of;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i].label != 0)
+      points_of[labels[i].label].push_back (static_cast<pcl::index_t> (i));
+  std::map<std::uint32_t, Eigen::Vector4f> planes;
+  for (const auto& [label, indices] : points_of)
+    planes[label] = fitPlane (points, indices);
+  return planes;
+}
+
 /** Whether they are labels of planes, and no brightness. */
 bool
-lieOnPlanes (const pcl::PointCloud<pcl::PointXYZRGB>& points,
-             const pcl::PointCloud<pcl::Label>& labels)
+lieOnPlanes (const pcl::PointCloud<pcl::PointXYZRGB>& points, const PointLabels& labels)
 {
   constexpr double min_share = 0.95;
-  const auto planes = fitPlanes (labels, points);
   std::size_t labelled = 0, near = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (labels[i].label == 0 || !isMeasured (points[i].data))
+    const std::uint32_t label = labels.points[i].label;
+    if (label == 0 || !isMeasured (points[i].data))
       continue;
-    const float distance = planes.at (labels[i].label).dot (points[i].getVector4fMap());
+    const float distance = labels.planes.at (label).dot (points[i].getVector4fMap());
     ++labelled;
     near += std::abs (distance) <= 0.005f + 0.004f * squaredRange (points[i].data);
   }
@@ -107,7 +120,7 @@ makeLabels (PointLabels::Kind kind,
             const std::vector<Value>& values,
             const pcl::PCLPointCloud2& cloud)
 {
-  PointLabels labels{kind, {cloud.width, cloud.height}};
+  PointLabels labels{kind, {cloud.width, cloud.height}, {}};
   for (std::size_t i = 0; i < values.size(); ++i)
     labels.points[i].label = static_cast<std::uint32_t> (values[i]);
   return labels;
@@ -129,21 +142,8 @@ readPointLabels (const pcl::PCLPointCloud2& cloud,
   if (!areLabels (planes))
     return {};
   PointLabels labels = makeLabels (PointLabels::Kind::planes, planes, cloud);
-  return lieOnPlanes (points, labels.points) ? labels : PointLabels();
-}
-
-std::map<std::uint32_t, Eigen::Vector4f>
-fitPlanes (const pcl::PointCloud<pcl::Label>& labels,
-           const pcl::PointCloud<pcl::PointXYZRGB>& points)
-{
-  std::map<std::uint32_t, pcl::Indices> points_of;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i].label != 0)
-      points_of[labels[i].label].push_back (static_cast<pcl::index_t> (i));
-  std::map<std::uint32_t, Eigen::Vector4f> planes;
-  for (const auto& [label, indices] : points_of)
-    planes[label] = fitPlane (points, indices);
-  return planes;
+  labels.planes = fitPlanes (labels.points, points);
+  return lieOnPlanes (points, labels) ? labels : PointLabels();
 }
 
 } // namespace rgbd_planes

@@ -29,6 +29,9 @@ struct PointLabels {
   Kind kind = Kind::none;
   /** One for each point, none without a kind. */
   pcl::PointCloud<pcl::Label> points;
+  /** Of the kind planes, for each label but 0 the plane that fits all measured points with it:
+   * a, b, c, d, unit normal, d >= 0. */
+  std::map<std::uint32_t, Eigen::Vector4f> planes;
 };
 
 /** \brief The labels that the fields of a cloud hold, where it is clear what they mean.
@@ -44,12 +47,6 @@ struct PointLabels {
 PointLabels
 readPointLabels (const pcl::PCLPointCloud2& cloud,
                  const pcl::PointCloud<pcl::PointXYZRGB>& points);
-
-/** \brief For each label but 0, the plane that fits all measured points with it: a, b, c, d, unit
- * normal, d >= 0. */
-std::map<std::uint32_t, Eigen::Vector4f>
-fitPlanes (const pcl::PointCloud<pcl::Label>& labels,
-           const pcl::PointCloud<pcl::PointXYZRGB>& points);
 
 } // namespace rgbd_planes
 } // namespace pcl
