@@ -328,10 +328,10 @@ public:
   }
 
   /** \brief Covariance of a, b, c, d of each plane of the last call: to first order in the
-   * noise, which is that of getDepthNoise (), or more in frames that have more, along the viewing rays, and independent for
-   * each point (neighbouring pixels of real sensors are not, so that planes are less
-   * certain). a, b, c in units of 1, d in metres; of rank 3, for (a, b, c) keeps its
-   * length. */
+   * noise, which is that of getDepthNoise (), or more in frames that have more, along the
+   * viewing rays, and independent for each point (neighbouring pixels of real sensors are
+   * not, so that planes are less certain). a, b, c in units of 1, d in metres; of rank 3,
+   * for (a, b, c) keeps its length. */
   const std::vector<Eigen::Matrix4d>&
   getParameterCovariances () const
   {

@@ -183,9 +183,9 @@ public:
     return parameters_.min_cluster_size;
   }
 
-  /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 (). Points beyond its range
-   * are unmeasured. A noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are
-   * refused. */
+  /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 ().
+   * Points beyond its range are unmeasured. A noise of 0 m or less, NaN or Inf, and a range
+   * of 0 m or less, are refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

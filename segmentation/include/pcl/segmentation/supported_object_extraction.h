@@ -298,8 +298,9 @@ public:
     return parameters_.max_graspable_side;
   }
 
-  /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 (). Points beyond its range are
-   * left out. A noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are refused. */
+  /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 ().
+   * Points beyond its range are left out. A noise of 0 m or less, NaN or Inf, and a range of
+   * 0 m or less, are refused. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
