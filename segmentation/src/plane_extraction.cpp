@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/plane_extraction.h>
+#include "uneven_surface.h"
 
-#include <Eigen/Eigenvalues>
+#include <pcl/segmentation/plane_extraction.h>
 
 #include <algorithm>
 #include <chrono>
@@ -28,11 +28,9 @@ constexpr double min_candidate_share = 0.15;
 constexpr float growth_reach = 1.15f;
 /** Both sides of a step in a plane have this share of min_inliers. */
 constexpr double min_step_share = 0.4;
-/** The mean square of the errors of points on a curved or an uneven surface, in standard
- * deviations, is larger. */
-constexpr double min_error_if_curved = 0.45, min_error_if_uneven = 0.72;
-/** Strips are longer, in widths. */
-constexpr double max_length = 5.;
+/** The mean square of the errors of points on a curved surface, in standard deviations,
+ * is larger. */
+constexpr double min_error_if_curved = 0.45;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
@@ -48,15 +46,6 @@ applyAdditions (PlaneExtractionParameters& parameters)
     parameters.noise.constant = parameters.noise.sigma (squared_usual_range);
     parameters.noise.quadratic = 0.f;
   }
-}
-
-bool
-isStrip (const PlaneMoments& points)
-{
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (points.covariance(),
-                                                               Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d& squares = solver.eigenvalues();
-  return squares[2] > max_length * max_length * squares[1];
 }
 
 double
@@ -246,18 +235,19 @@ PlaneExtraction::giveToJoined()
 }
 
 /** Whether the plane is part of a curved surface, or lies in an uneven one, and the points
- * that it got in the end are not those of a flat one. The normals of strips do not tell:
- * they are averages over windows that reach beyond. */
+ * that it got in the end are not those of a flat one. */
 bool
 PlaneExtraction::isPatch (std::size_t plane) const
 {
   const PlaneMoments& points = assignment_.weightedMoments()[plane];
   const double error = points.meanSquaredError (points.inverseDistance());
-  const bool is_uneven = parameters_.additions.assignment &&
-                         assignment_.nearNormals (plane) < parameters_.min_near_normals;
   return parameters_.additions.patches &&
          ((patches_.isPatch (plane) && error > min_error_if_curved) ||
-          (is_uneven && error > min_error_if_uneven && !isStrip (points)));
+          (parameters_.additions.assignment &&
+           isUneven (points,
+                     error,
+                     assignment_.nearNormals (plane),
+                     parameters_.min_near_normals)));
 }
 
 /** Drops planes with too few points, sorts the others, and fits them. */

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -187,6 +188,24 @@ TEST (PlaneIdentities, StayInARecordingWithPoses)
   const auto sequence = segmentAndTrack (input);
   expectFewSwitches (sequence,
                      readMotions (input.input + "/groundtruth.txt", sequence));
+}
+
+TEST (PlaneIdentities, AFarBoardThatTheCameraBendsIsInEachFrame)
+{
+  SKIP_WITHOUT_RECORDINGS();
+  InputOptions input;
+  input.input = synthetic::dataFolder() + "/tum_fr3_structure_notexture_far";
+  for (const Segmented& frame : segmentAndTrack (input)) {
+    std::map<std::uint32_t, std::size_t> pixels;
+    for (std::uint32_t v = 50; v < 200; ++v)
+      for (std::uint32_t u = 520; u < 600; ++u)
+        ++pixels[frame.labels (u, v).label];
+    pixels.erase (unlabelled);
+    std::size_t most = 0;
+    for (const auto& plane : pixels)
+      most = std::max (most, plane.second);
+    EXPECT_GT (most, 150u * 80u * 3 / 4) << frame.name;
+  }
 }
 
 TEST (PlaneIdentities, StayInACorridor)
