@@ -62,7 +62,11 @@ noiseIn (const OrganizedPoints& points, const DepthNoise& noise)
   const auto median = errors.begin() + (end - errors.begin()) / 2;
   std::nth_element (errors.begin(), median, end);
   const float factor = std::max (1.f, *median / median_size);
-  return {factor * noise.constant, factor * noise.quadratic, noise.max_range};
+  return {factor * noise.constant,
+          factor * noise.quadratic,
+          noise.max_range,
+          false,
+          noise.normal_scatter};
 }
 
 void
@@ -72,13 +76,16 @@ setDepthNoise (const std::string& class_name,
 {
   const float sigma = value.sigma (1.f);
   if (!(value.constant >= 0.f && value.quadratic >= 0.f && sigma > 0.f &&
-        std::isfinite (sigma) && value.max_range > 0.f)) {
+        std::isfinite (sigma) && value.max_range > 0.f && value.normal_scatter > 0.f &&
+        std::isfinite (value.normal_scatter))) {
     PCL_ERROR ("[pcl::%s::setDepthNoise] The noise must be more than 0 m and the range "
-               "as well, got %g m + %g m z^2 up to %g m. Keeping what was set.\n",
+               "and the scatter of normals as well, got %g m + %g m z^2 up to %g m and "
+               "%g. Keeping what was set.\n",
                class_name.c_str(),
                value.constant,
                value.quadratic,
-               value.max_range);
+               value.max_range,
+               value.normal_scatter);
     return;
   }
   noise = value;

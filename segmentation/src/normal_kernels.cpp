@@ -14,8 +14,8 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
-/** Depth noise tilts most normals of a flat surface by less than this many degrees where
- * it faces the sensor, more with the square of the range... */
+/** The noise of a Kinect v1 tilts most normals of a flat surface by less than this many
+ * degrees where it faces the sensor, more with the square of the range... */
 constexpr float usual_tilt = 6.f, usual_tilt_per_squared_metre = 1.f;
 
 } // namespace
@@ -70,7 +70,8 @@ compatibleSamplesHere (const PlaneSamples& samples,
 NormalsAtPlane
 normalsAtPlaneHere (const PlaneSamples& samples,
                     std::size_t begin,
-                    const PlaneEquation& plane)
+                    const PlaneEquation& plane,
+                    float scatter)
 {
   unsigned known = 0, near = 0;
   forEachVectorFrom (begin, [&] (std::size_t i) {
@@ -79,8 +80,8 @@ normalsAtPlaneHere (const PlaneSamples& samples,
     const V view_cosine = hn::Max (hn::Div (set (plane.d), hn::Sqrt (squared_range)),
                                    set (min_view_cosine));
     const V tilt = hn::Div (hn::MulAdd (squared_range,
-                                        set (usual_tilt_per_squared_metre),
-                                        set (usual_tilt)),
+                                        set (scatter * usual_tilt_per_squared_metre),
+                                        set (scatter * usual_tilt)),
                             view_cosine);
     const Points normals = normalsAt (samples, i);
     const Mask has_normal = hn::Gt (squaredLength (normals), hn::Zero (Floats()));
@@ -127,9 +128,10 @@ compatibleSamples (const PlaneSamples& samples,
 NormalsAtPlane
 normalsAtPlane (const PlaneSamples& samples,
                 std::size_t begin,
-                const PlaneEquation& plane)
+                const PlaneEquation& plane,
+                float scatter)
 {
-  return HWY_DYNAMIC_DISPATCH (normalsAtPlaneHere) (samples, begin, plane);
+  return HWY_DYNAMIC_DISPATCH (normalsAtPlaneHere) (samples, begin, plane, scatter);
 }
 
 } // namespace rgbd_planes

@@ -95,14 +95,16 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
     const PointBlock points = samplesFrom (samples, begin);
     assignTile (points, own, tile, noise, max_sigmas);
     sumSamples (samples, tile, weighted_moments_);
-    compareNormals (samples, tile);
+    compareNormals (samples, tile, noise.normal_scatter);
     std::copy_n (tile_labels_.begin(), PlaneSamples::tile_size, &sample_labels_[begin]);
   }
 }
 
 /** Counts the normals of the samples of the tile, which was assigned last. */
 void
-PlaneAssignment::compareNormals (const PlaneSamples& samples, std::size_t tile)
+PlaneAssignment::compareNormals (const PlaneSamples& samples,
+                                 std::size_t tile,
+                                 float scatter)
 {
   for (const TilePlane& plane : planesOf (tile)) {
     const unsigned own =
@@ -111,7 +113,7 @@ PlaneAssignment::compareNormals (const PlaneSamples& samples, std::size_t tile)
     if (own == 0)
       continue;
     const NormalsAtPlane at_plane = normalsAtPlane (
-        samples, tile * PlaneSamples::tile_size, equations_[plane.number]);
+        samples, tile * PlaneSamples::tile_size, equations_[plane.number], scatter);
     normals_[plane.number].known += count (own & at_plane.known);
     normals_[plane.number].near += count (own & at_plane.near);
   }

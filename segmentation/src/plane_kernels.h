@@ -99,11 +99,13 @@ struct NormalsAtPlane {
   std::uint16_t known = 0, near = 0;
 };
 
-/** Looks at the tile that begins with sample \a begin. */
+/** Looks at the tile that begins with sample \a begin, where normals scatter so many times
+ * as far as those of a Kinect v1. */
 NormalsAtPlane
 normalsAtPlane (const PlaneSamples& samples,
                 std::size_t begin,
-                const PlaneEquation& plane);
+                const PlaneEquation& plane,
+                float scatter);
 
 /** For each sample of a tile, a bit: it lies near a plane; its trusted normal is nearly that
  * of the plane. */

@@ -126,6 +126,10 @@ TEST (DepthNoise, FramesMayHaveMoreThanTheLeast)
     const std::vector<float> precise = tiltedWall (width, height, 0.5f);
     EXPECT_EQ (noiseOf (precise, width, height, DepthNoise::kinectV1()), usual);
   }
+  const std::vector<float> wall = tiltedWall (640, 480, 4.f);
+  EXPECT_EQ (
+      noiseIn ({wall.data(), 3, 640, 480}, DepthNoise::activeStereo()).normal_scatter,
+      2.5f);
   // Its points spread farther, as it says.
   EXPECT_FALSE (DepthNoise::kinectV1Corrected().is_least);
 }

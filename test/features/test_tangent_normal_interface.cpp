@@ -68,6 +68,7 @@ TEST (TangentNormalInterface, BadSettingsAreRefused)
   estimation.setRectSize (5, -1);
   estimation.setMaxDepthChangeFactor (-1.f);
   estimation.setDepthNoise ({0.001f, -0.001f});
+  estimation.setDepthNoise ({0.001f, 0.001f, 5.f, true, 0.f});
   EXPECT_EQ (estimation.getDepthNoise().quadratic, 0.002f);
   EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate<Estimation> (cloud)));
 }

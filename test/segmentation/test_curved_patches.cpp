@@ -224,3 +224,44 @@ TEST (CurvedPatches, AWallInTheNoiseOfActiveStereoIsNone)
   segmentation.segment (models, inliers);
   EXPECT_EQ (models.size(), 1u);
 }
+
+TEST (CurvedPatches, ABoardWhoseNormalsScatterAsWithActiveStereoIsNone)
+{
+  // Errors are drawn for every 14th pixel, and interpolated, which takes a third off.
+  constexpr int side = 14, columns = 640 / side + 2;
+  std::mt19937 generator (1);
+  std::normal_distribution<float> gauss;
+  std::vector<float> errors (columns * columns);
+  for (float& error : errors)
+    error = gauss (generator);
+  auto noise = pcl::rgbd_planes::DepthNoise::activeStereo();
+  const auto board = relief (
+      [&] (float x, float y) {
+        const float u = (x * 525.f + 319.5f) / side, v = (y * 525.f + 239.5f) / side;
+        const auto at = [&] (float column, float row) {
+          return errors[static_cast<std::size_t> (row) * columns +
+                        static_cast<std::size_t> (column)];
+        };
+        const float left = std::floor (u), top = std::floor (v);
+        const float above =
+            at (left, top) + (u - left) * (at (left + 1, top) - at (left, top));
+        const float below = at (left, top + 1) +
+                            (u - left) * (at (left + 1, top + 1) - at (left, top + 1));
+        return 1.f + 1.5f * noise.sigma (1.f) * (above + (v - top) * (below - above));
+      },
+      200,
+      440);
+  const auto numberOfPlanesWith = [&] {
+    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+    segmentation.setDepthNoise (noise);
+    segmentation.setInputCloud (board);
+    segmentation.setInputNormals (estimateNormals (board));
+    std::vector<pcl::ModelCoefficients> models;
+    std::vector<pcl::PointIndices> inliers;
+    segmentation.segment (models, inliers);
+    return models.size();
+  };
+  EXPECT_EQ (numberOfPlanesWith(), 1u);
+  noise.normal_scatter = 1.f;
+  EXPECT_EQ (numberOfPlanesWith(), 0u);
+}

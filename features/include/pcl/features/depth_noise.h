@@ -36,6 +36,9 @@ struct DepthNoise {
   float max_range = std::numeric_limits<float>::infinity();
   /** Whether frames may have more: see noiseIn(). */
   bool is_least = false;
+  /** How many times as far as with a Kinect v1 the normals of flat surfaces scatter: where
+   * errors of pixels are like those of their neighbours, means over windows have more. */
+  float normal_scatter = 1.f;
 
   float
   sigma (float squared_range) const
@@ -106,12 +109,12 @@ struct DepthNoise {
    *
    * D435: 0.61 mm + 3.59 mm (z - 0.35)^2 (Ahn et al., Analysis and Noise Modeling of
    * the Intel RealSense D435 for Mobile Robots, Ubiquitous Robots 2019): 8 cm and more
-   * beyond 5 m.
+   * beyond 5 m. Stereo compares windows, whose errors neighbours share.
    */
   static DepthNoise
   activeStereo ()
   {
-    return {0.0005f, 0.003f, 5.f, true};
+    return {0.0005f, 0.003f, 5.f, true, 2.5f};
   }
 };
 
@@ -127,8 +130,8 @@ PCL_RGBD_PLANES_EXPORTS DepthNoise
 noiseIn (const OrganizedPoints& points, const DepthNoise& noise);
 
 /** \brief What setters of the noise of a sensor do: \a noise becomes \a value. One that is
- * negative, 0 at a range of 1 m, not finite, or without a range: an error message, and the
- * noise before stays. */
+ * negative, 0 at a range of 1 m, not finite, without a range or without scatter: an error
+ * message, and the noise before stays. */
 PCL_RGBD_PLANES_EXPORTS void
 setDepthNoise (const std::string& class_name,
                const DepthNoise& value,

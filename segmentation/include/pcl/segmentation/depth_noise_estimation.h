@@ -79,7 +79,9 @@ public:
   getLevels () const;
 
   /** \brief The noise that fits all levels, no less than 0.1 mm + 0.2 mm z^2, with no limit to the
-   * range; false after an error message, and \a noise stays as it is, where there are no levels. */
+   * range; false after an error message, and \a noise stays as it is, where there are no levels.
+   * How normals scatter is not measured: with a stereo camera, give it the normal_scatter of
+   * DepthNoise::activeStereo (). */
   bool
   estimate (rgbd_planes::DepthNoise& noise) const;
 

@@ -209,7 +209,7 @@ private:
             std::size_t first);
 
   void
-  compareNormals (const PlaneSamples& samples, std::size_t tile);
+  compareNormals (const PlaneSamples& samples, std::size_t tile, float scatter);
 
   void
   setEquations (const std::vector<Plane>& planes);
