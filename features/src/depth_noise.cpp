@@ -18,6 +18,7 @@ constexpr std::size_t rectangles_in_a_row = 80;
 constexpr std::ptrdiff_t min_rectangles = 100;
 /** The median of a normal distribution's sizes, in standard deviations. */
 constexpr float median_size = 0.6745f;
+constexpr float max_normal_scatter = 5.f;
 
 /** The error of the rectangle of \a side pixels from point \a first on, in standard deviations;
  * not finite where a corner is missing. */
@@ -76,15 +77,20 @@ setDepthNoise (const std::string& class_name,
 {
   const float sigma = value.sigma (1.f);
   if (!(value.constant >= 0.f && value.quadratic >= 0.f && sigma > 0.f &&
-        std::isfinite (sigma) && value.max_range > 0.f && value.normal_scatter > 0.f &&
-        std::isfinite (value.normal_scatter))) {
+        std::isfinite (sigma) && value.max_range > 0.f)) {
     PCL_ERROR ("[pcl::%s::setDepthNoise] The noise must be more than 0 m and the range "
-               "and the scatter of normals as well, got %g m + %g m z^2 up to %g m and "
-               "%g. Keeping what was set.\n",
+               "as well, got %g m + %g m z^2 up to %g m. Keeping what was set.\n",
                class_name.c_str(),
                value.constant,
                value.quadratic,
-               value.max_range,
+               value.max_range);
+    return;
+  }
+  if (!(value.normal_scatter >= 1.f && value.normal_scatter <= max_normal_scatter)) {
+    PCL_ERROR ("[pcl::%s::setDepthNoise] Normals scatter 1 to %g times as far as a "
+               "Kinect's, got %g. Keeping what was set.\n",
+               class_name.c_str(),
+               max_normal_scatter,
                value.normal_scatter);
     return;
   }

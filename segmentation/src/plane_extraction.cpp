@@ -18,6 +18,7 @@ namespace {
 
 /** Cells of the normal-space grid hold at least this share of all samples. */
 constexpr double min_cell_share = 2.5e-4;
+constexpr double max_angular_threshold = M_PI / 2.;
 /** Normals left by the first round, most of them of far or small planes, scatter so much
  * more. */
 constexpr double scatter_of_rest = 2.;
@@ -73,6 +74,8 @@ PlaneExtraction::compute (const OrganizedPoints& points,
   max_sigmas_ = static_cast<float> (parameters_.distanceThreshold()) /
                 parameters_.noise.sigma (1.f);
   applyAdditions (parameters_);
+  // Where errors are shared, the means of clusters and of sides of steps are less exact.
+  cluster_scatter_ = std::sqrt (parameters_.noise.normal_scatter);
   samples_.compute (
       points, normals, selected, parameters_.noise, parameters_.maximum_curvature);
   times_.normal_space = secondsSince (start);
@@ -146,8 +149,9 @@ PlaneExtraction::findParts()
   for (int round = 0; round < rounds; ++round) {
     if (round > 0)
       samples_.dropTakenSeeds();
+    const double scatter = cluster_scatter_ * (round == 0 ? 1. : scatter_of_rest);
     const double angular_threshold =
-        parameters_.angular_threshold * (round == 0 ? 1. : scatter_of_rest);
+        std::min (parameters_.angular_threshold * scatter, max_angular_threshold);
     normal_clusters_.compute (
         samples_, parameters_.grid, static_cast<float> (angular_threshold), min_cell);
     times_.normal_space += secondsSince (start);
@@ -206,7 +210,7 @@ PlaneExtraction::joinParts()
         min_step_share * parameters_.min_inliers / (samples_.step * samples_.step);
     steps_.compute (samples_,
                     static_cast<std::size_t> (std::ceil (min_side)),
-                    max_sigmas_,
+                    cluster_scatter_ * max_sigmas_,
                     owners_,
                     parts_,
                     moments_);

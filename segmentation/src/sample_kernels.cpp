@@ -15,7 +15,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
- * each metre, as depth noise tilts far normals. */
+ * each metre, as depth noise tilts far normals; more with the fourth root of their scatter,
+ * which is less than that allows for. */
 constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f;
 /** Normals with more than this part of the largest curvature are not trusted. */
 constexpr float trusted_share = 0.5f;
@@ -30,6 +31,7 @@ judgeSamplesHere (PlaneSamples& samples,
                   float maximum_curvature)
 {
   const V none = set (-1.f);
+  const float scatter = std::sqrt (std::sqrt (noise.normal_scatter));
   samples.seeds.resize (samples.size());
   std::size_t seeds = 0;
   for (std::size_t i = 0; i < samples.size(); i += hn::Lanes (Floats())) {
@@ -65,7 +67,8 @@ judgeSamplesHere (PlaneSamples& samples,
     seeds += hn::CountTrue (Floats(), is_seed);
     const Mask is_trusted = hn::AndNot (
         hn::Gt (curvature, set (trusted_share * maximum_curvature)), has_normal);
-    const V degrees = hn::MulAdd (range, set (angle_per_metre), set (angle_at_sensor));
+    const V degrees = hn::MulAdd (
+        range, set (scatter * angle_per_metre), set (scatter * angle_at_sensor));
     hn::StoreU (hn::IfThenElse (is_trusted, cosineOf (degrees), none),
                 Floats(),
                 &samples.min_cosine[i]);

@@ -36,8 +36,8 @@ struct DepthNoise {
   float max_range = std::numeric_limits<float>::infinity();
   /** Whether frames may have more: see noiseIn(). */
   bool is_least = false;
-  /** How many times as far as with a Kinect v1 the normals of flat surfaces scatter: where
-   * errors of pixels are like those of their neighbours, means over windows have more. */
+  /** How many times as far as with a Kinect v1 the normals of flat surfaces scatter, 1 to 5:
+   * where errors of pixels are like those of their neighbours, means over windows have more. */
   float normal_scatter = 1.f;
 
   float
@@ -130,8 +130,8 @@ PCL_RGBD_PLANES_EXPORTS DepthNoise
 noiseIn (const OrganizedPoints& points, const DepthNoise& noise);
 
 /** \brief What setters of the noise of a sensor do: \a noise becomes \a value. One that is
- * negative, 0 at a range of 1 m, not finite, without a range or without scatter: an error
- * message, and the noise before stays. */
+ * negative, 0 at a range of 1 m, not finite, without a range, or with a scatter of normals that is
+ * not 1 to 5: an error message, and the noise before stays. */
 PCL_RGBD_PLANES_EXPORTS void
 setDepthNoise (const std::string& class_name,
                const DepthNoise& value,

@@ -178,6 +178,8 @@ private:
 
   PlaneExtractionParameters parameters_;
   float max_sigmas_ = 0.f;
+  /** How many times as far as those of a Kinect v1 means of clusters scatter. */
+  float cluster_scatter_ = 1.f;
   PlaneSamples samples_;
   NormalSpaceClusters normal_clusters_;
   DistanceSpaceClusters distance_clusters_;
