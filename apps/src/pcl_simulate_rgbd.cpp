@@ -43,7 +43,9 @@ parseSensor (const std::string& text)
     return Sensor::ideal;
   if (text == "kinect")
     return Sensor::kinect;
-  throw AppError ("--sensor: '" + text + "' must be ideal or kinect");
+  if (text == "active_stereo")
+    return Sensor::active_stereo;
+  throw AppError ("--sensor: '" + text + "' must be ideal, kinect or active_stereo");
 }
 
 void
@@ -86,11 +88,11 @@ readOptions (int argc, char** argv)
       "a whole number: frames with the same one share the smooth error of depth that a "
       "camera has; without it, each seed has its own") (
       "sensor",
-      text ("ideal|kinect")->default_value ("kinect"),
-      "depth without errors, or with those of Microsoft's first Kinect") (
-      "resolution",
-      text ("vga|qvga|qqvga")->default_value ("vga"),
-      "take every 1st, 2nd or 4th pixel") (
+      text ("ideal|kinect|active_stereo")->default_value ("kinect"),
+      "depth without errors, with those of Microsoft's first Kinect, or of a RealSense "
+      "D4xx") ("resolution",
+               text ("vga|qvga|qqvga")->default_value ("vga"),
+               "take every 1st, 2nd or 4th pixel") (
       "output", text ("DIR"), "write the files there");
   const po::variables_map values = parseCommandLine (argc, argv, options, "scene", 1);
   if (printVersion (values))

@@ -3,6 +3,8 @@
 
 #include "kinect.h"
 
+#include "correlated_noise.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,36 +44,6 @@ constexpr float max_range_m = 8.f;
 /** 82 degrees. */
 constexpr float min_incidence_cosine = 0.14f;
 constexpr float min_albedo = 0.06f;
-
-/** Standard normal noise, averaged over windows of this size. */
-std::vector<float>
-correlatedNoise (const Camera& camera,
-                 int window_width,
-                 int window_height,
-                 Random& random)
-{
-  const int width = camera.width;
-  const int padded_width = width + window_width - 1;
-  const int padded_height = camera.height + window_height - 1;
-  std::vector<float> white (static_cast<std::size_t> (padded_width) * padded_height);
-  for (auto& value : white)
-    value = random.normal();
-
-  std::vector<float> rows (static_cast<std::size_t> (width) * padded_height, 0.f);
-  for (int v = 0; v < padded_height; ++v)
-    for (int k = 0; k < window_width; ++k)
-      for (int u = 0; u < width; ++u)
-        rows[v * width + u] += white[v * padded_width + u + k];
-
-  const float scale =
-      1.f / std::sqrt (static_cast<float> (window_width * window_height));
-  std::vector<float> noise (static_cast<std::size_t> (width) * camera.height, 0.f);
-  for (int v = 0; v < camera.height; ++v)
-    for (int k = 0; k < window_height; ++k)
-      for (int u = 0; u < width; ++u)
-        noise[v * width + u] += scale * rows[(v + k) * width + u];
-  return noise;
-}
 
 /** The smooth error of the disparity of one camera, in steps: a few plane waves. */
 class Warp {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "active_stereo.h"
 #include "kinect.h"
 #include "renderer.h"
 #include "scenes.h"
@@ -70,6 +71,39 @@ makeCloud (const Scene& scene,
   return cloud;
 }
 
+/** What the sensor needs to see of what it measures, besides its own view. */
+std::vector<Eigen::Vector3f>
+otherEyes (Sensor sensor)
+{
+  switch (sensor) {
+  case Sensor::kinect:
+    return kinectEyes();
+  case Sensor::active_stereo:
+    return activeStereoEyes();
+  case Sensor::ideal:
+    break;
+  }
+  return {};
+}
+
+std::vector<float>
+measure (const std::vector<RenderedPixel>& image,
+         const Camera& camera,
+         Sensor sensor,
+         Random& random,
+         Random& camera_random)
+{
+  switch (sensor) {
+  case Sensor::kinect:
+    return measureWithKinect (image, camera, random, camera_random);
+  case Sensor::active_stereo:
+    return measureWithActiveStereo (image, camera, random);
+  case Sensor::ideal:
+    break;
+  }
+  return trueDepth (image);
+}
+
 } // namespace
 
 SimulatedFrame
@@ -80,9 +114,7 @@ simulate (const std::string& scene_name,
 {
   const Scene scene = makeScene (scene_name, seed);
   const Camera camera;
-  const bool is_kinect = sensor == Sensor::kinect;
-  const auto image =
-      render (scene, camera, is_kinect ? kinectEyes() : std::vector<Eigen::Vector3f>{});
+  const auto image = render (scene, camera, otherEyes (sensor));
 
   SimulatedFrame frame;
   frame.camera_to_base = scene.camera_to_base;
@@ -93,9 +125,7 @@ simulate (const std::string& scene_name,
 
   Random random (seed), camera_random (camera_seed.value_or (0));
   const auto depth =
-      is_kinect ? measureWithKinect (
-                      image, camera, random, camera_seed ? camera_random : random)
-                : trueDepth (image);
+      measure (image, camera, sensor, random, camera_seed ? camera_random : random);
   frame.cloud = makeCloud (scene, camera, image, depth);
   return frame;
 }

@@ -85,7 +85,7 @@ TEST_F (SimulateRgbd, BadUsageIsToldInOneLine)
   expectRefused ("", "no SCENE");
   expectRefused ("room", "no --output");
   expectRefused ("attic --output .", "table_cluttered");
-  expectRefused ("room --output . --sensor lidar", "ideal or kinect");
+  expectRefused ("room --output . --sensor lidar", "ideal, kinect or active_stereo");
   expectRefused ("room --output . --seed -1", "--seed");
   expectRefused ("room --output . --resolution hd", "vga, qvga or qqvga");
   expectRefused ("room --output . --depth", "--help");

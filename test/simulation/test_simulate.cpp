@@ -74,17 +74,19 @@ TEST_P (Scenes, IdealDepthIsTheTruth)
 TEST_P (Scenes, PointsProjectToTheirPixels)
 {
   const Camera camera;
-  const auto frame = simulate (GetParam(), 1, Sensor::kinect);
-  for (int v = 0; v < camera.height; ++v)
-    for (int u = 0; u < camera.width; ++u) {
-      const auto& point = (*frame.cloud) (u, v);
-      if (!std::isfinite (point.z))
-        continue;
-      ASSERT_NEAR (
-          point.x / point.z * camera.fx + camera.cx, static_cast<float> (u), 1e-3f);
-      ASSERT_NEAR (
-          point.y / point.z * camera.fy + camera.cy, static_cast<float> (v), 1e-3f);
-    }
+  for (const Sensor sensor : {Sensor::kinect, Sensor::active_stereo}) {
+    const auto frame = simulate (GetParam(), 1, sensor);
+    for (int v = 0; v < camera.height; ++v)
+      for (int u = 0; u < camera.width; ++u) {
+        const auto& point = (*frame.cloud) (u, v);
+        if (!std::isfinite (point.z))
+          continue;
+        ASSERT_NEAR (
+            point.x / point.z * camera.fx + camera.cx, static_cast<float> (u), 1e-3f);
+        ASSERT_NEAR (
+            point.y / point.z * camera.fy + camera.cy, static_cast<float> (v), 1e-3f);
+      }
+  }
 }
 
 TEST_P (Scenes, PlanesHoldTheirPoints)
@@ -163,18 +165,21 @@ TEST_P (Scenes, ObjectsAreWhereTheirPointsAre)
 
 TEST_P (Scenes, TheSameSeedGivesTheSameBytes)
 {
-  const auto first = simulate (GetParam(), 7, Sensor::kinect);
-  const auto second = simulate (GetParam(), 7, Sensor::kinect);
-  EXPECT_TRUE (sameBytes (*first.cloud, *second.cloud));
-  EXPECT_TRUE (sameBytes (*first.truth, *second.truth));
   const auto other = simulate (GetParam(), 8, Sensor::ideal);
-  EXPECT_FALSE (sameBytes (*first.truth, *other.truth));
+  for (const Sensor sensor : {Sensor::kinect, Sensor::active_stereo}) {
+    const auto first = simulate (GetParam(), 7, sensor);
+    const auto second = simulate (GetParam(), 7, sensor);
+    EXPECT_TRUE (sameBytes (*first.cloud, *second.cloud));
+    EXPECT_TRUE (sameBytes (*first.truth, *second.truth));
+    EXPECT_FALSE (sameBytes (*first.truth, *other.truth));
+  }
 }
 
-TEST_P (Scenes, BothSensorsSeeTheSameTruth)
+TEST_P (Scenes, AllSensorsSeeTheSameTruth)
 {
-  EXPECT_TRUE (sameBytes (*simulate (GetParam(), 3, Sensor::ideal).truth,
-                          *simulate (GetParam(), 3, Sensor::kinect).truth));
+  const auto ideal = simulate (GetParam(), 3, Sensor::ideal);
+  for (const Sensor sensor : {Sensor::kinect, Sensor::active_stereo})
+    EXPECT_TRUE (sameBytes (*ideal.truth, *simulate (GetParam(), 3, sensor).truth));
 }
 
 /** Errors of inverse depth, 1/m, in the mean over blocks of 40 x 40 px; NaN where the truth

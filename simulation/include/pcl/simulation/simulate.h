@@ -17,9 +17,10 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief How depth is measured: without error, or with the noise and the gaps of a
- * structured-light camera like Microsoft's first Kinect. */
-enum class Sensor { ideal, kinect };
+/** \brief How depth is measured: without error, with the noise and the gaps of a
+ * structured-light camera like Microsoft's first Kinect, or with those of an active stereo
+ * camera like the RealSense D4xx. */
+enum class Sensor { ideal, kinect, active_stereo };
 
 /** \brief A pinhole camera: pixel (u, v) sees along ((u - cx) / fx, (v - cy) / fy, 1).
  */
@@ -64,9 +65,9 @@ sceneNames ();
 /** \brief Renders a scene.
  * \param[in] scene one of sceneNames(); std::invalid_argument for others
  * \param[in] seed varies layout, viewpoint and noise; the same seed gives the same
- * bytes, and both sensors see the same scene
+ * bytes, and all sensors see the same scene
  * \param[in] sensor how depth is measured
- * \param[in] camera varies the smooth error of depth that belongs to a camera; none: every
+ * \param[in] camera varies the smooth error of depth that belongs to a Kinect; none: every
  * seed has a camera of its own
  */
 SimulatedFrame

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "active_stereo.h"
 #include "kinect.h"
 #include "plane_noise.h"
 #include "synthetic_clouds.h"
 
+#include <pcl/apps/frame_source.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
@@ -27,13 +29,26 @@ namespace {
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 using Depth = std::vector<float>;
+/** What a sensor measures. */
+using Measure = std::function<Depth (
+    const std::vector<RenderedPixel>& image, const Camera& camera, Random& random)>;
+
+Depth
+measuredWithKinect (const std::vector<RenderedPixel>& image,
+                    const Camera& camera,
+                    Random& random)
+{
+  return measureWithKinect (image, camera, random, random);
+}
 
 /** What the sensor would measure if every pixel saw the plane with this inverse depth.
  */
 Depth
-measurePlane (const std::array<double, 3>& plane, unsigned seed)
+measurePlane (const std::array<double, 3>& plane,
+              unsigned seed,
+              const Camera& camera,
+              const Measure& measure)
 {
-  const Camera camera;
   const Eigen::Vector3d normal (plane[0] * camera.fx,
                                 plane[1] * camera.fy,
                                 plane[0] * camera.cx + plane[1] * camera.cy + plane[2]);
@@ -53,7 +68,7 @@ measurePlane (const std::array<double, 3>& plane, unsigned seed)
       image.push_back (pixel);
     }
   Random random (seed);
-  return measureWithKinect (image, camera, random, random);
+  return measure (image, camera, random);
 }
 
 Depth
@@ -105,17 +120,20 @@ print (const std::string& name, const PlaneNoise& noise)
 /** Compares recordings of planes with the simulation of the same planes, seen at the
  * same pixels. */
 void
-compare (const std::string& name, const std::vector<Depth>& recordings)
+compare (const std::string& name,
+         const std::vector<Depth>& recordings,
+         const Camera& camera = {},
+         const Measure& measure = measuredWithKinect)
 {
   constexpr unsigned simulations = 10;
-  const int width = Camera().width;
+  const int width = camera.width;
   std::vector<PlaneNoise> recorded;
   std::vector<PlaneNoise> simulated;
   for (const auto& recording : recordings)
     recorded.push_back (measurePlaneNoise (recording, width));
   for (unsigned seed = 0; seed < simulations; ++seed) {
     const std::size_t i = seed % recordings.size();
-    const Depth depth = measurePlane (recorded[i].plane, seed);
+    const Depth depth = measurePlane (recorded[i].plane, seed, camera, measure);
     simulated.push_back (measurePlaneNoise (maskedBy (recordings[i], depth), width));
   }
   const PlaneNoise real = mean (recorded);
@@ -269,4 +287,48 @@ TEST (KinectModel, TheFloorAt0m7)
                                         return u >= 220 && u < 380 && v >= 240 &&
                                                v < 330;
                                       })});
+}
+
+TEST (ActiveStereoModel, TheFloorAt1m)
+{
+  SKIP_WITHOUT_RECORDINGS();
+  const Camera camera{640, 480, 383.8f, 383.8f, 321.7f, 236.8f};
+  InputOptions input;
+  input.input = synthetic::dataFolder() + "/robot_floor/depth";
+  input.intrinsics = Intrinsics{camera.fx, camera.fy, camera.cx, camera.cy};
+  input.units_per_metre = 1000.f;
+  const FrameSource source (input);
+  std::vector<Depth> recordings;
+  for (std::size_t i = 14; i < source.size(); ++i) {
+    const auto cloud = source.read (i).cloud;
+    Depth depth;
+    for (std::uint32_t v = 0; v < cloud->height; ++v)
+      for (std::uint32_t u = 0; u < cloud->width; ++u)
+        depth.push_back (u >= 300 && u < 500 && v >= 260 && v < 460 ? (*cloud) (u, v).z
+                                                                    : missing);
+    recordings.push_back (depth);
+  }
+  compare ("floor (robot_floor)", recordings, camera, measureWithActiveStereo);
+}
+
+TEST (ActiveStereoModel, WhatTheSecondImagerDoesNotSeeIsMissing)
+{
+  const Camera camera;
+  std::vector<RenderedPixel> image (static_cast<std::size_t> (camera.width) *
+                                    static_cast<std::size_t> (camera.height));
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    image[i].surface = 0;
+    image[i].point = {0.f, 0.f, 1.f};
+    image[i].normal = {0.f, 0.f, -1.f};
+  }
+  image[1].in_shadow = true;
+  image[2].surface = RenderedPixel::no_surface;
+  image[3].normal = {1.f, 0.f, -0.1f};
+  image[4].point.z() = 0.2f;
+  image[5].point.z() = 9.f;
+  Random random (1);
+  const Depth depth = measureWithActiveStereo (image, camera, random);
+  EXPECT_NEAR (depth[0], 1.f, 0.015f);
+  for (std::size_t i = 1; i <= 5; ++i)
+    EXPECT_FALSE (std::isfinite (depth[i])) << i;
 }
