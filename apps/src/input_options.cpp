@@ -185,13 +185,15 @@ addDepthNoiseOption (po::options_description& options)
 {
   options.add_options() (
       "depth-noise",
-      po::value<std::string>()->value_name ("SENSOR|CONSTANT,QUADRATIC"),
+      po::value<std::string>()->value_name ("SENSOR|CONSTANT,QUADRATIC[,SCATTER]"),
       "the sensor whose noise and range to expect, points beyond are left out: "
       "kinect_v1, if not said, any range; structured_light, up to 3.5 m: Xtion, "
       "Carmine and Astra, which are kinect_v1 where more is in view; time_of_flight, "
       "up to 5.5 m: Kinect v2 and Azure Kinect; active_stereo, up to 5 m: RealSense "
       "D4xx; frames that have more noise count as having it. Or the standard deviation "
-      "in metres, at any range: 0.001,0.002 is 1 mm + 2 mm z^2");
+      "in metres, at any range: 0.001,0.002 is 1 mm + 2 mm z^2; then, if need be, how "
+      "many "
+      "times as far as a Kinect's the normals scatter, 2.5 of stereo cameras");
 }
 
 DepthNoise
@@ -213,9 +215,18 @@ readDepthNoise (const po::variables_map& values)
   if (text.find (',') == std::string::npos)
     throw AppError ("--depth-noise: '" + text +
                     "' must be kinect_v1, structured_light, time_of_flight, "
-                    "active_stereo or CONSTANT,QUADRATIC");
-  const auto [constant, quadratic] = parseCoefficients ("--depth-noise", text);
-  return {constant, quadratic};
+                    "active_stereo or CONSTANT,QUADRATIC[,SCATTER]");
+  const auto third = text.find (',', text.find (',') + 1);
+  const auto [constant, quadratic] =
+      parseCoefficients ("--depth-noise", text.substr (0, third));
+  DepthNoise noise{constant, quadratic};
+  if (third != std::string::npos)
+    noise.normal_scatter =
+        parseNumber<float> ("--depth-noise: the scatter", text.substr (third + 1));
+  if (!(noise.normal_scatter >= 1.f && noise.normal_scatter <= 5.f))
+    throw AppError ("--depth-noise: the scatter of normals in '" + text +
+                    "' must be 1 to 5 times that of a Kinect");
+  return noise;
 }
 
 std::uint32_t

@@ -24,8 +24,8 @@ const char usage[] =
 Measures the noise of a depth camera on frames of any indoor scene, by DepthNoiseEstimation:
 all inputs are of one camera. Prints what small blocks of the image leave of planes at each
 range and the noise that fits it, twice as large for the sake of large surfaces, as the option
---depth-noise of the other applications takes it. Surfaces should be seen at all ranges that
-matter; some ten frames are enough.
+--depth-noise of the other applications takes it; append ,2.5 for a stereo camera. Surfaces
+should be seen at all ranges that matter; some ten frames are enough.
 
   pcl_measure_depth_noise recordings/
 )";

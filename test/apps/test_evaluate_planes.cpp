@@ -102,7 +102,11 @@ TEST_F (EvaluatePlanes, CorrectedDepth)
 TEST_F (EvaluatePlanes, PlanesFallToPiecesWhereLessNoiseIsExpected)
 {
   std::vector<double> f1;
-  for (const std::string noise : {"kinect_v1", "0.001,0.002", "0.0001,0.0002"}) {
+  for (const std::string noise : {"kinect_v1",
+                                  "0.001,0.002",
+                                  "0.0001,0.0002",
+                                  "0.001,0.002,1",
+                                  "0.001,0.002,2.5"}) {
     ASSERT_EQ (
         run ("sim:room:1 --resolution qvga --json table.json --depth-noise " + noise)
             .code,
@@ -110,6 +114,8 @@ TEST_F (EvaluatePlanes, PlanesFallToPiecesWhereLessNoiseIsExpected)
     f1.push_back (results()[0]["f1_50"]);
   }
   EXPECT_EQ (f1[0], f1[1]);
+  EXPECT_EQ (f1[0], f1[3]);
+  EXPECT_NE (f1[0], f1[4]);
   EXPECT_LT (f1[2], f1[0] - 0.2);
   expectRefused ("sim:room --depth-noise kinect_v1 --corrected frame",
                  "leave out --depth-noise or --corrected");

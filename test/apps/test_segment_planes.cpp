@@ -384,7 +384,13 @@ TEST_F (SegmentPlanes, BadUsageIsRefused)
   expectRefused (input + camera_ + "--resolution xga", "vga, qvga or qqvga");
   expectRefused (input + camera_ + "--depth-noise sonar",
                  "active_stereo or CONSTANT,QUADRATIC");
-  for (const std::string noise : {"0.001,", "0.001,0.002,3", "0,0", "-0.001,0.002"})
+  for (const std::string noise : {"0.001,",
+                                  "0,0",
+                                  "-0.001,0.002",
+                                  "0.001,0.002,",
+                                  "0.001,0.002,0.9",
+                                  "0.001,0.002,nan",
+                                  "0.001,0.002,3,4"})
     expectRefused (input + camera_ + "--depth-noise=" + noise, "--depth-noise: ");
   expectRefused (input + camera_ + "--depth-noise active_stereo --corrected frame",
                  "leave out --depth-noise or --corrected");
