@@ -94,12 +94,15 @@ std::size_t
 ObjectClusters::clearPoints (const PointRun& run, const SupportPlane& support) const
 {
   const std::uint32_t v = run.first / width_, u = run.first % width_;
+  // Where pixels share their errors, one lifts many of them.
+  const float sigmas =
+      clear_sigmas * std::pow (parameters_.noise.normal_scatter, 0.25f);
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < run.length; ++k) {
     const float* p = points_[run.first + k];
     const float height = heightAbove (support, v, u + k);
     count += height >= parameters_.min_object_height &&
-             !isWithinNoise (p, support.plane, height, clear_sigmas, parameters_.noise);
+             !isWithinNoise (p, support.plane, height, sigmas, parameters_.noise);
   }
   return count;
 }

@@ -5,6 +5,7 @@
 
 #include <pcl/common/io.h>
 #include <pcl/segmentation/depth_noise_estimation.h>
+#include <pcl/segmentation/supported_object_extraction.h>
 #include <pcl/simulation/simulate.h>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,26 @@ TEST (ActiveStereo, PlanesAreNoPiecesOfThem)
   EXPECT_GE (counts.correct * 100, counts.found * 85)
       << counts.correct << " of " << counts.found;
   EXPECT_GT (counts.correct, if_a_kinect_scattered_them.correct);
+}
+
+TEST (ActiveStereo, NoiseOfATableIsNoObject)
+{
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const SimulatedFrame frame = simulate ("table_single", seed, Sensor::active_stereo);
+    auto cloud = pcl::make_shared<Cloud>();
+    pcl::copyPointCloud (*frame.cloud, *cloud);
+    Ours segmentation;
+    segmentation.setDepthNoise (DepthNoise::activeStereo());
+    Result result;
+    segment (segmentation, cloud, result);
+    pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
+    extraction.setDepthNoise (DepthNoise::activeStereo());
+    extraction.setCameraToBase (frame.camera_to_base);
+    extraction.setInputCloud (cloud);
+    std::vector<pcl::SupportedObject> objects;
+    extraction.extract (result.models, result.inliers, objects);
+    EXPECT_EQ (objects.size(), 1u) << seed;
+  }
 }
 
 TEST (ActiveStereo, ItsNoiseIsThePreset)
