@@ -23,7 +23,8 @@ namespace rgbd_planes {
  * Of stereo cameras, the quadratic part is the error of disparity by focal length and
  * baseline, 0.1 px / (640 px * 0.05 m) = 3.1 mm: take what is found for yours, or what
  * pcl::DepthNoiseEstimation measures, for an error
- * twice as large as said makes objects of bare tables. For depth without noise, as simulators
+ * twice as large as said makes objects of bare tables, and the normal_scatter of
+ * activeStereo (). For depth without noise, as simulators
  * give it, and in whole millimetres, take 0.5 mm + 0.5 mm z^2. Below 0.1 mm, single precision
  * is no longer enough.
  */
