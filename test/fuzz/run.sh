@@ -29,4 +29,4 @@ fuzz() {
   return $result
 }
 export -f fuzz
-printf '%s\n' classes depth_png inputs pcd | xargs -P 2 -I {} bash -c 'fuzz {}'
+printf '%s\n' classes depth_png inputs pcd truth | xargs -P 2 -I {} bash -c 'fuzz {}'
