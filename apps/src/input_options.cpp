@@ -191,9 +191,8 @@ addDepthNoiseOption (po::options_description& options)
       "Carmine and Astra, which are kinect_v1 where more is in view; time_of_flight, "
       "up to 5.5 m: Kinect v2 and Azure Kinect; active_stereo, up to 5 m: RealSense "
       "D4xx; frames that have more noise count as having it. Or the standard deviation "
-      "in metres, at any range: 0.001,0.002 is 1 mm + 2 mm z^2; then, if need be, how "
-      "many "
-      "times as far as a Kinect's the normals scatter, 2.5 of stereo cameras");
+      "in metres, at any range: 0.001,0.002 is 1 mm + 2 mm z^2; then, if need be, "
+      "how many times as far as a Kinect's the normals scatter, 2.5 of stereo cameras");
 }
 
 DepthNoise
@@ -223,7 +222,8 @@ readDepthNoise (const po::variables_map& values)
   if (third != std::string::npos)
     noise.normal_scatter =
         parseNumber<float> ("--depth-noise: the scatter", text.substr (third + 1));
-  if (!(noise.normal_scatter >= 1.f && noise.normal_scatter <= 5.f))
+  if (!(noise.normal_scatter >= 1.f &&
+        noise.normal_scatter <= DepthNoise::max_normal_scatter))
     throw AppError ("--depth-noise: the scatter of normals in '" + text +
                     "' must be 1 to 5 times that of a Kinect");
   return noise;

@@ -18,7 +18,6 @@ constexpr std::size_t rectangles_in_a_row = 80;
 constexpr std::ptrdiff_t min_rectangles = 100;
 /** The median of a normal distribution's sizes, in standard deviations. */
 constexpr float median_size = 0.6745f;
-constexpr float max_normal_scatter = 5.f;
 
 /** The error of the rectangle of \a side pixels from point \a first on, in standard deviations;
  * not finite where a corner is missing. */
@@ -63,11 +62,11 @@ noiseIn (const OrganizedPoints& points, const DepthNoise& noise)
   const auto median = errors.begin() + (end - errors.begin()) / 2;
   std::nth_element (errors.begin(), median, end);
   const float factor = std::max (1.f, *median / median_size);
-  return {factor * noise.constant,
-          factor * noise.quadratic,
-          noise.max_range,
-          false,
-          noise.normal_scatter};
+  DepthNoise result = noise;
+  result.constant *= factor;
+  result.quadratic *= factor;
+  result.is_least = false;
+  return result;
 }
 
 void
@@ -86,11 +85,12 @@ setDepthNoise (const std::string& class_name,
                value.max_range);
     return;
   }
-  if (!(value.normal_scatter >= 1.f && value.normal_scatter <= max_normal_scatter)) {
+  if (!(value.normal_scatter >= 1.f &&
+        value.normal_scatter <= DepthNoise::max_normal_scatter)) {
     PCL_ERROR ("[pcl::%s::setDepthNoise] Normals scatter 1 to %g times as far as a "
                "Kinect's, got %g. Keeping what was set.\n",
                class_name.c_str(),
-               max_normal_scatter,
+               DepthNoise::max_normal_scatter,
                value.normal_scatter);
     return;
   }

@@ -18,6 +18,7 @@ namespace {
 
 /** Cells of the normal-space grid hold at least this share of all samples. */
 constexpr double min_cell_share = 2.5e-4;
+/** Clusters merge within no more, however far normals scatter. */
 constexpr double max_angular_threshold = M_PI / 2.;
 /** Normals left by the first round, most of them of far or small planes, scatter so much
  * more. */

@@ -23,15 +23,6 @@ constexpr float noise_steps = 1.9f;
 constexpr int window_width_px = 18, window_height_px = 12;
 
 constexpr float min_range_m = 0.3f, max_range_m = 8.f;
-/** 82 degrees. */
-constexpr float min_incidence_cosine = 0.14f;
-
-bool
-isMeasurable (const RenderedPixel& pixel)
-{
-  return pixel.surface != RenderedPixel::no_surface && !pixel.in_shadow &&
-         -pixel.normal.dot (pixel.point.normalized()) >= min_incidence_cosine;
-}
 
 } // namespace
 
@@ -50,7 +41,7 @@ measureWithActiveStereo (const std::vector<RenderedPixel>& image,
       correlatedNoise (camera, window_width_px, window_height_px, random);
   std::vector<float> depth (image.size(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < image.size(); ++i) {
-    if (!isMeasurable (image[i]))
+    if (!isInView (image[i]))
       continue;
     const float steps =
         std::round (steps_times_m / image[i].point.z() + noise_steps * noise[i]);

@@ -41,8 +41,6 @@ constexpr int jitter_window_height_px = 3;
 
 constexpr float min_range_m = 0.5f;
 constexpr float max_range_m = 8.f;
-/** 82 degrees. */
-constexpr float min_incidence_cosine = 0.14f;
 constexpr float min_albedo = 0.06f;
 
 /** The smooth error of the disparity of one camera, in steps: a few plane waves. */
@@ -77,10 +75,7 @@ private:
 bool
 isMeasurable (const RenderedPixel& pixel)
 {
-  if (pixel.surface == RenderedPixel::no_surface || pixel.in_shadow)
-    return false;
-  const float cosine = -pixel.normal.dot (pixel.point.normalized());
-  return cosine >= min_incidence_cosine && pixel.color.mean() >= min_albedo;
+  return isInView (pixel) && pixel.color.mean() >= min_albedo;
 }
 
 /** The pixel of the infrared camera, which has more of them, that is nearest: where it

@@ -37,6 +37,16 @@ struct RenderedPixel {
   bool in_shadow = false;
 };
 
+/** \brief Whether a pixel sees a surface, as all eyes of the sensor do, at an incidence of no
+ * more than 82 degrees. */
+inline bool
+isInView (const RenderedPixel& pixel)
+{
+  constexpr float min_cosine = 0.14f;
+  return pixel.surface != RenderedPixel::no_surface && !pixel.in_shadow &&
+         -pixel.normal.dot (pixel.point.normalized()) >= min_cosine;
+}
+
 /** \brief Renders a scene row by row.
  * \param[in] eyes where else the sensor looks from or sends light from, in the camera
  * frame

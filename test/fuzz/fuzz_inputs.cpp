@@ -23,16 +23,6 @@ using namespace pcl::rgbd_planes;
 
 namespace {
 
-/** A folder beside the fuzzer's own files: it goes with them. */
-fs::path
-tumFolder ()
-{
-  const fs::path folder =
-      fs::temp_directory_path() / ("tum." + std::to_string (::getpid()));
-  fs::create_directory (folder);
-  return folder;
-}
-
 InputOptions
 parse (const std::string& input, FuzzedDataProvider& data)
 {
@@ -64,7 +54,7 @@ parse (const std::string& input, FuzzedDataProvider& data)
 extern "C" int
 LLVMFuzzerTestOneInput (const std::uint8_t* bytes, std::size_t size)
 {
-  static const fs::path folder = tumFolder();
+  static const fs::path folder = fuzz::scratchFolder ("tum");
   FuzzedDataProvider data (bytes, size);
   const auto kind = data.ConsumeIntegralInRange (0, 3);
   std::string text = data.ConsumeRandomLengthString (300);

@@ -16,15 +16,6 @@ using namespace pcl::rgbd_planes;
 
 namespace {
 
-fs::path
-frameFile ()
-{
-  const fs::path folder =
-      fs::temp_directory_path() / ("truth." + std::to_string (::getpid()));
-  fs::create_directory (folder);
-  return folder / "frame.pcd";
-}
-
 void
 write (const fs::path& file, const std::string& bytes)
 {
@@ -48,7 +39,7 @@ const std::string pixels =
 extern "C" int
 LLVMFuzzerTestOneInput (const std::uint8_t* bytes, std::size_t size)
 {
-  static const fs::path file = frameFile();
+  static const fs::path file = fuzz::scratchFolder ("truth") / "frame.pcd";
   static const auto good_scene = [] {
     SimulatedFrame frame;
     frame.camera_to_base = Eigen::Affine3f::Identity();

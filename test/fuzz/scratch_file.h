@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -40,6 +41,16 @@ private:
   int descriptor_;
   std::string path_;
 };
+
+/** A folder beside the fuzzer's own files: it goes with them. */
+inline std::filesystem::path
+scratchFolder (const std::string& name)
+{
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       (name + '.' + std::to_string (::getpid()));
+  std::filesystem::create_directory (folder);
+  return folder;
+}
 
 /** Bad input may end in an AppError, which has a message, and in nothing else. */
 template <typename Reader>

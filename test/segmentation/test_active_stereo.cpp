@@ -21,6 +21,18 @@ using pcl::rgbd_planes::SimulatedFrame;
 
 namespace {
 
+/** Segments the cloud of a frame, which it returns. */
+Cloud::ConstPtr
+segment (const SimulatedFrame& frame, const DepthNoise& noise, Result& result)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  pcl::copyPointCloud (*frame.cloud, *cloud);
+  Ours segmentation;
+  segmentation.setDepthNoise (noise);
+  plane_clouds::segment (segmentation, cloud, result);
+  return cloud;
+}
+
 struct Counts {
   std::size_t asked_for = 0, found = 0, correct = 0;
 };
@@ -30,12 +42,8 @@ struct Counts {
 void
 count (const SimulatedFrame& frame, const DepthNoise& noise, Counts& counts)
 {
-  auto cloud = pcl::make_shared<Cloud>();
-  pcl::copyPointCloud (*frame.cloud, *cloud);
-  Ours segmentation;
-  segmentation.setDepthNoise (noise);
   Result result;
-  segment (segmentation, cloud, result);
+  const Cloud::ConstPtr cloud = segment (frame, noise, result);
 
   std::map<std::uint32_t, std::size_t> true_points;
   for (std::size_t i = 0; i < cloud->size(); ++i)
@@ -83,12 +91,8 @@ TEST (ActiveStereo, NoiseOfATableIsNoObject)
 {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const SimulatedFrame frame = simulate ("table_single", seed, Sensor::active_stereo);
-    auto cloud = pcl::make_shared<Cloud>();
-    pcl::copyPointCloud (*frame.cloud, *cloud);
-    Ours segmentation;
-    segmentation.setDepthNoise (DepthNoise::activeStereo());
     Result result;
-    segment (segmentation, cloud, result);
+    const Cloud::ConstPtr cloud = segment (frame, DepthNoise::activeStereo(), result);
     pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
     extraction.setDepthNoise (DepthNoise::activeStereo());
     extraction.setCameraToBase (frame.camera_to_base);

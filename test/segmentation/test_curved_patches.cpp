@@ -33,6 +33,17 @@ numberOfPlanes (const std::vector<Surface>& surfaces)
       .size();
 }
 
+/** The number of planes of a sensor with that noise. */
+std::size_t
+numberOfPlanes (const Cloud::ConstPtr& cloud, const pcl::rgbd_planes::DepthNoise& noise)
+{
+  Ours segmentation;
+  segmentation.setDepthNoise (noise);
+  Result result;
+  segment (segmentation, cloud, result);
+  return result.models.size();
+}
+
 /** A surface whose depth is \a depth (x, y) at x, y on the plane z = 1, seen from column
  * u0 to u1, with the noise of a Kinect. */
 template <typename Depth>
@@ -215,14 +226,7 @@ TEST (CurvedPatches, AWallInTheNoiseOfActiveStereoIsNone)
   const auto noise = pcl::rgbd_planes::DepthNoise::activeStereo();
   const auto sigma = [=] (float z) { return 1.2f * noise.sigma (z * z); };
   const auto wall = render ({tiltedPlane (3.5f, 30.f, 0.f)}, 640, 480, sigma).cloud;
-  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-  segmentation.setDepthNoise (noise);
-  segmentation.setInputCloud (wall);
-  segmentation.setInputNormals (estimateNormals (wall));
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers;
-  segmentation.segment (models, inliers);
-  EXPECT_EQ (models.size(), 1u);
+  EXPECT_EQ (numberOfPlanes (wall, noise), 1u);
 }
 
 TEST (CurvedPatches, ABoardWhoseNormalsScatterAsWithActiveStereoIsNone)
@@ -251,17 +255,7 @@ TEST (CurvedPatches, ABoardWhoseNormalsScatterAsWithActiveStereoIsNone)
       },
       200,
       440);
-  const auto numberOfPlanesWith = [&] {
-    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-    segmentation.setDepthNoise (noise);
-    segmentation.setInputCloud (board);
-    segmentation.setInputNormals (estimateNormals (board));
-    std::vector<pcl::ModelCoefficients> models;
-    std::vector<pcl::PointIndices> inliers;
-    segmentation.segment (models, inliers);
-    return models.size();
-  };
-  EXPECT_EQ (numberOfPlanesWith(), 1u);
+  EXPECT_EQ (numberOfPlanes (board, noise), 1u);
   noise.normal_scatter = 1.f;
-  EXPECT_EQ (numberOfPlanesWith(), 0u);
+  EXPECT_EQ (numberOfPlanes (board, noise), 0u);
 }

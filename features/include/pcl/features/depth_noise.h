@@ -40,6 +40,7 @@ struct DepthNoise {
   /** How many times as far as with a Kinect v1 the normals of flat surfaces scatter, 1 to 5:
    * where errors of pixels are like those of their neighbours, means over windows have more. */
   float normal_scatter = 1.f;
+  static constexpr float max_normal_scatter = 5.f;
 
   float
   sigma (float squared_range) const
