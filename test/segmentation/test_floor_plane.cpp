@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "obstacle_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+using namespace obstacle_scenes;
+
+TEST (FloorPlane, AnEmptyFloorIsSafe)
+{
+  const FloorScene scene (only_floor, pose);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+  EXPECT_TRUE (result.obstacles.empty());
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+  EXPECT_EQ (result.classes.width, 160u);
+  EXPECT_EQ (detection.getScan().ranges.size(), 361u);
+  for (const float range : detection.getScan().ranges)
+    EXPECT_TRUE (std::isinf (range));
+}
+
+TEST (FloorPlane, WithoutAFloorAllIsAnObstacle)
+{
+  // A wall; then a floor that the pose of the camera does not put at z = 0.
+  const Patch wall{-Eigen::Vector3f::UnitX(), {1.5f, 0.f, 0.f}};
+  FloorScene scene ({wall}, cameraPose (0.8f, 0.f));
+  (*scene.cloud)[5].getVector3fMap().setConstant (not_a_number);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  EXPECT_EQ (result.count (ObstacleClass::obstacle), scene.cloud->size() - 1);
+  EXPECT_EQ (result[5], ObstacleClass::unmeasured);
+  ASSERT_EQ (result.obstacles.size(), 1u);
+  EXPECT_NEAR (result.obstacles[0].distance, 1.5f, 0.01f);
+
+  const FloorScene low (only_floor, pose);
+  setInput (detection, low);
+  detection.setCameraToBase (cameraPose (0.9f, 0.45f));
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  EXPECT_EQ (result.count (ObstacleClass::floor), 0u);
+  detection.setFloorTolerances (0.17f, 0.2f);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+}
+
+TEST (FloorPlane, ASlopeAcrossTheHeightOfTheFloorIsNoFloor)
+{
+  // 17 degrees, as far above z = 0 as below.
+  const Patch slope{Eigen::Vector3f (-0.3f, 0.f, 1.f).normalized(),
+                    {1.5f, 0.f, 0.f},
+                    [] (const Eigen::Vector3f& p) { return std::abs (p.z()) < 0.1f; }};
+  const FloorScene scene ({slope}, pose);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  detection.setFloorTolerances (0.35f, 0.1f);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+}
+
+TEST (FloorPlane, TheCameraMayBeTiltedAndItsPoseSlightlyOff)
+{
+  for (const float pitch : {0.2f, 0.6f})
+    for (const float roll : {-0.3f, 0.2f}) {
+      const FloorScene scene (only_floor + a_box, cameraPose (0.8f, pitch, roll), 320);
+      Detection detection;
+      setInput (detection, scene);
+      detection.setCameraToBase (cameraPose (0.82f, pitch + 0.01f, roll - 0.01f));
+      Result result;
+      detection.detect (result.obstacles, result.classes);
+      ASSERT_EQ (result.obstacles.size(), 1u);
+      EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+      EXPECT_NEAR (result.obstacles[0].distance, 1.2f, 0.03f);
+    }
+}
+
+TEST (FloorPlane, AFloorIsFoundWithAnyTiltThatIsTolerated)
+{
+  const FloorScene scene (only_floor, pose, 320);
+  for (const float off : {-0.15f, -0.05f, 0.05f, 0.15f}) {
+    Detection detection;
+    setInput (detection, scene);
+    detection.setCameraToBase (cameraPose (0.8f, 0.45f + off));
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << off;
+  }
+}
+
+TEST (FloorPlane, TheFloorIsNearZeroAlsoWhereMoreIsALittleHigherOrLower)
+{
+  constexpr float edge = 1.2f;
+  for (const float step : {-0.045f, -0.03f, 0.03f, 0.045f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const FloorScene scene ({near, far}, pose, 320);
+    const auto of_far = static_cast<std::size_t> (
+        std::count_if (scene.labels->begin(), scene.labels->end(), [] (const auto& l) {
+          return l.label == 1;
+        }));
+    ASSERT_GT (of_far, scene.labels->size() / 2);
+    const Result result = detect (scene);
+    EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << step;
+  }
+}
+
+TEST (FloorPlane, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
+{
+  constexpr float edge = 0.9f;
+  for (const float step : {-0.03f, 0.02f, 0.03f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < edge; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= edge; };
+    const FloorScene scene ({near, far}, cameraPose (1.f, 0.61f), 320);
+    const Eigen::Vector4f floor (scene.planes[0].values.data());
+    // The pose is right; it is 1 cm too high; its pitch is off.
+    for (const Eigen::Affine3f& to_base :
+         {cameraPose (1.f, 0.61f), cameraPose (1.01f, 0.61f), cameraPose (1.f, 0.6f)}) {
+      Detection detection;
+      setInput (detection, scene);
+      detection.setCameraToBase (to_base);
+      Result result;
+      detection.detect (result.obstacles, result.classes);
+      EXPECT_TRUE (detection.getFloor().isApprox (floor)) << step;
+      EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.) << step;
+    }
+  }
+}
+
+TEST (FloorPlane, TheFloorIsFoundInImagesOfFewRows)
+{
+  static constexpr std::uint32_t rows = 6; // of 768
+  FloorScene scene (only_floor, pose, 1024);
+  const auto takeRows = [] (auto& cloud) {
+    auto wide = pcl::make_shared<std::decay_t<decltype (*cloud)>> (cloud->width, rows);
+    for (std::uint32_t v = 0; v < rows; ++v)
+      std::copy_n (
+          &(*cloud) (0, v * cloud->height / rows), cloud->width, &(*wide) (0, v));
+    cloud = wide;
+  };
+  takeRows (scene.cloud);
+  takeRows (scene.normals);
+  takeRows (scene.labels);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.isFloorFound());
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+}

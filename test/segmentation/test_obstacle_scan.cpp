@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "obstacle_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace obstacle_scenes;
+
+TEST (ObstacleScan, TheScanHasTheClosestPointOfEachDirection)
+{
+  const auto things = a_box + box ({2.f, 0.3f, 0.f}, {2.5f, 0.7f, 0.5f}) +
+                      box ({0.8f, -1.f, 1.1f}, {3.f, 1.f, 1.2f});
+  const FloorScene scene (only_floor + things, cameraPose (0.8f, 0.2f), 320);
+  Detection detection;
+  setInput (detection, scene);
+  // The robot's own frame may be turned against its camera.
+  for (const float turn : {0.f, 1.5f, 3.1f}) {
+    const Eigen::Affine3f to_base =
+        Eigen::AngleAxisf (turn, Eigen::Vector3f::UnitZ()) * scene.camera_to_base;
+    detection.setCameraToBase (to_base);
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_min = -2.f;
+    limits.angle_max = 3.5f;
+    limits.angle_increment = 0.02f;
+    limits.range_min = 1.25f;
+    limits.range_max = 2.2f;
+    limits.max_height = 1.f;
+    detection.setScanLimits (limits);
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+
+    std::vector<float> expected (276, std::numeric_limits<float>::infinity());
+    for (const auto& obstacle : result.obstacles)
+      for (const auto i : obstacle.indices) {
+        const Eigen::Vector3f p =
+            to_base * (*scene.cloud)[static_cast<std::size_t> (i)].getVector3fMap();
+        const float range = std::hypot (p.x(), p.y());
+        double angle = std::atan2 (p.y(), p.x()) + 2.;
+        if (angle < -0.01)
+          angle += 2. * M_PI;
+        const auto step = static_cast<std::size_t> (std::lround (angle / 0.02));
+        if (range <= 2.2f && p.z() <= 1.f && step < expected.size())
+          expected[step] = std::min (expected[step], range);
+      }
+    for (float& range : expected)
+      if (range < 1.25f)
+        range = -std::numeric_limits<float>::infinity();
+    EXPECT_TRUE (std::isinf (*std::min_element (expected.begin(), expected.end())));
+    const auto& scan = detection.getScan();
+    EXPECT_FLOAT_EQ (scan.angle_min, -2.f);
+    EXPECT_FLOAT_EQ (scan.angle_max, 3.5f);
+    ASSERT_EQ (scan.ranges.size(), expected.size());
+    EXPECT_GT (std::count_if (expected.begin(),
+                              expected.end(),
+                              [] (float range) { return std::isfinite (range); }),
+               5);
+    std::size_t different = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      different += !(expected[k] == scan.ranges[k] ||
+                     std::abs (expected[k] - scan.ranges[k]) < 1e-4f);
+    EXPECT_LE (different, 2u) << "points that rounding puts on the other side";
+  }
+}
+
+TEST (ObstacleScan, TheScanOfAnObstacleHasNoGapsWherePixelsAreWiderThanItsSteps)
+{
+  // Two sills with a gap between them, 5 degrees wide.
+  const auto sills = box ({1.f, -3.f, 0.f}, {1.05f, 0.f, 0.06f}) +
+                     box ({1.f, 0.09f, 0.f}, {1.05f, 3.f, 0.06f});
+  const FloorScene scene (only_floor + sills, cameraPose (1.f, 0.8f), 160);
+  constexpr auto turn = static_cast<float> (2. * M_PI);
+  Detection detection;
+  setInput (detection, scene);
+  // Ahead; behind, where the first direction follows on the last one.
+  for (const float yaw : {0.f, turn / 2.f}) {
+    detection.setCameraToBase (Eigen::AngleAxisf (yaw, Eigen::Vector3f::UnitZ()) *
+                               scene.camera_to_base);
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_increment = turn / 3600.f;
+    limits.angle_min = -turn / 2.f;
+    limits.angle_max = turn / 2.f - limits.angle_increment;
+    detection.setScanLimits (limits);
+    std::vector<Obstacle> obstacles;
+    detection.detect (obstacles);
+    const auto& ranges = detection.getScan().ranges;
+    ASSERT_EQ (ranges.size(), 3600u);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const float angle =
+          limits.angle_min + static_cast<float> (i) * limits.angle_increment - yaw;
+      const float x = std::cos (angle), y = std::sin (angle) / x;
+      if (x > 0.f && ((y > -0.5f && y < -0.01f) || (y > 0.1f && y < 0.5f))) {
+        EXPECT_NEAR (ranges[i] * x, 1.f, 0.02f) << angle << ", " << yaw;
+      }
+      if (x > 0.f && y > 0.01f && y < 0.08f) {
+        EXPECT_TRUE (std::isinf (ranges[i])) << angle << ", " << yaw;
+      }
+    }
+  }
+}
+
+TEST (ObstacleScan, TheScanOfAWallHasNoGapsWhoseEndsAreOutOfRange)
+{
+  // What is in range lies between two columns that are 64 apart.
+  Eigen::Affine3f turned = cameraPose (1.5f, 0.f);
+  turned.prerotate (Eigen::AngleAxisf (0.105f, Eigen::Vector3f::UnitZ()));
+  const auto wall = box ({2.f, -4.f, 0.f}, {2.1f, 4.f, 4.f});
+  const FloorScene scene (only_floor + wall, turned);
+  Detection detection;
+  setInput (detection, scene);
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_increment = 0.002f;
+  limits.range_max = 2.f / std::cos (0.13f);
+  detection.setScanLimits (limits);
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  const auto& ranges = detection.getScan().ranges;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const float angle =
+        limits.angle_min + static_cast<float> (i) * limits.angle_increment;
+    if (std::abs (angle) < 0.12f) {
+      EXPECT_NEAR (ranges[i] * std::cos (angle), 2.f, 0.01f) << angle;
+    }
+  }
+}
+
+TEST (ObstacleScan, TheScanHasWhatIsKnownLateToBeNoSpeck)
+{
+  const FloorScene scene (only_floor + a_box, pose, 320);
+  Detection detection;
+  setInput (detection, scene);
+  std::vector<Obstacle> expected, found;
+  detection.detect (expected);
+  ASSERT_EQ (expected.size(), 1u);
+  const std::vector<float> ranges = detection.getScan().ranges;
+  // Its last row tells that it is large enough.
+  detection.setMinClusterSize (static_cast<unsigned> (expected[0].indices.size()));
+  detection.detect (found);
+  ASSERT_EQ (found.size(), 1u);
+  EXPECT_EQ (found[0].nearest, expected[0].nearest);
+  EXPECT_EQ (detection.getScan().ranges, ranges);
+}
+
+TEST (ObstacleScan, TheScanDoesNotDependOnFramesBefore)
+{
+  Detection reused;
+  std::vector<Obstacle> obstacles;
+  for (int k = 0; k < 6; ++k) {
+    const float x = 1.f + 0.1f * static_cast<float> (k / 2);
+    const auto sill = box ({x, -3.f, 0.f}, {x + 0.05f, 3.f, 0.06f});
+    const FloorScene scene (
+        only_floor + sill, cameraPose (0.1f, 0.f), 160, kinectSigma);
+    setInput (reused, scene);
+    reused.detect (obstacles);
+    Detection fresh;
+    setInput (fresh, scene);
+    fresh.detect (obstacles);
+    EXPECT_EQ (reused.getScan().ranges, fresh.getScan().ranges) << "frame " << k;
+  }
+}
+
+TEST (ObstacleScan, AScanOfAlmostAWholeTurnHasEachDirectionOnce)
+{
+  // 720 steps of half a degree make a turn; these limits are 719.6 steps apart.
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_min = -3.14f;
+  limits.angle_max = 3.14f;
+  const FloorScene scene (only_floor + a_box, pose, 320);
+  Detection detection;
+  setInput (detection, scene);
+  detection.setScanLimits (limits);
+  std::vector<Obstacle> obstacles;
+  // The box behind the robot: it lies across the first and the last direction.
+  detection.setCameraToBase (
+      Eigen::AngleAxisf (static_cast<float> (M_PI), Eigen::Vector3f::UnitZ()) *
+      scene.camera_to_base);
+  detection.detect (obstacles);
+  const auto& ranges = detection.getScan().ranges;
+  ASSERT_EQ (ranges.size(), 720u);
+  EXPECT_TRUE (std::isfinite (ranges.front()));
+  EXPECT_TRUE (std::isfinite (ranges.back()));
+}
+
+TEST (ObstacleScan, AScanInStepsOfMoreThanATurnHasOneDirection)
+{
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_increment = 10.f;
+  Detection detection;
+  detection.setScanLimits (limits);
+  const FloorScene scene (only_floor + a_box, pose);
+  setInput (detection, scene);
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  EXPECT_EQ (detection.getScan().ranges.size(), 1u);
+  EXPECT_EQ (detection.getScan().angle_max, limits.angle_min);
+}
