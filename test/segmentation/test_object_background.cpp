@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "table_objects.h"
+
+#include <pcl/common/transforms.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace table_objects;
+
+namespace {
+
+/** The same in a frame with other axes. */
+View
+turned (View view)
+{
+  const Eigen::Affine3f turn (
+      Eigen::AngleAxisf (2.f, Vector3f (1.f, -2.f, 3.f).normalized()));
+  const auto cloud = pcl::make_shared<table_scenes::Cloud>();
+  pcl::transformPointCloud (*view.cloud, *cloud, turn);
+  view.cloud = cloud;
+  for (auto& model : view.models) {
+    const Vector3f normal = turn.linear() * Vector3f (model.values.data());
+    std::copy_n (normal.data(), 3, model.values.begin());
+  }
+  view.camera_to_base = view.camera_to_base * turn.inverse();
+  return view;
+}
+
+} // namespace
+
+TEST (ObjectBackground, WallBehindATableIsNoObject)
+{
+  const View view = wallBehindATable();
+  const Objects objects = extract (view);
+  EXPECT_GT (bestIou (objects, view, 6), 0.9);
+  const auto of_wall = view.pixelsOf (2);
+  for (const auto& object : objects)
+    EXPECT_EQ (of_wall.count (object.indices.indices.front()), 0u);
+}
+
+TEST (ObjectBackground, WallsAndThingsUnderTheTableAreNoObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box leg{{0.9f, 0.3f, 0.f}, {0.06f, 0.06f, 0.66f}};
+  const Box under{{0.95f, -0.2f, 0.f}, {0.1f, 0.1f, 0.2f}};
+  Camera camera;
+  camera.height = 1.3f;
+  const View view = look (
+      {floor_slab, table, wall, leg, under, onTable (1.3f, 0.f, {0.1f, 0.1f, 0.1f})},
+      camera);
+  ASSERT_GT (view.pixelsOf (2).size(), 1000u);
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 5), 0.85);
+}
+
+TEST (ObjectBackground, ThingsAtAWallAreObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Vector3f size (0.1f, 0.1f, 0.15f);
+  for (const float noise : {0.f, 0.5f, 1.f}) {
+    const View view = look ({floor_slab,
+                             table,
+                             wall,
+                             onTable (1.55f, 0.3f, size),
+                             onTable (1.545f, 0.f, size),
+                             onTable (1.53f, -0.3f, size)},
+                            {},
+                            noise);
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 3u) << noise;
+    for (const int box : {3, 4, 5})
+      EXPECT_GT (bestIou (objects, view, box), 0.8) << noise << " " << box;
+  }
+}
+
+TEST (ObjectBackground, ThingsInACornerOfWallsAreObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Box side{{1.2f, 0.55f, 0.f}, {0.8f, 0.1f, 2.f}};
+  for (const float width : {0.1f, 0.2f})
+    for (const float noise : {0.f, 0.5f, 1.f}) {
+      const Box thing =
+          onTable (1.59f - 0.5f * width, 0.49f - 0.5f * width, {width, width, 0.25f});
+      const View view = look ({floor_slab, table, wall, side, thing}, {}, noise);
+      const Objects objects = extract (view);
+      EXPECT_EQ (objects.size(), 1u) << width << " " << noise;
+      EXPECT_GT (bestIou (objects, view, 4), 0.8) << width << " " << noise;
+    }
+}
+
+TEST (ObjectBackground, WhatHardlyStandsOutFromAWallIsNoObject)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const auto atWall = [&] (float thickness) {
+    const Box panel{{1.6f - 0.5f * thickness, 0.f, table_height + 0.02f},
+                    {thickness, 0.3f, 0.15f}};
+    const View view = look ({floor_slab, table, wall, panel});
+    EXPECT_GT (view.pixelsOf (3).size(), 1000u);
+    return extract (view).size();
+  };
+  EXPECT_EQ (atWall (0.01f), 0u);
+  EXPECT_EQ (atWall (0.08f), 1u);
+}
+
+TEST (ObjectBackground, WhatGoesOnBehindSomethingNearerIsNoObject)
+{
+  const Box post{{2.f, 0.f, 0.f}, {0.08f, 0.08f, 1.f}};
+  const Box stump{{2.f, 0.f, 0.f}, {0.08f, 0.08f, 0.2f}};
+  // It hides what is higher than 25 cm at the post.
+  const Box beam{{1.5f, 0.f, 0.54f}, {0.05f, 0.6f, 0.6f}};
+  for (const float roll : {0.f, 0.5f, 1.f, 1.5f}) {
+    Camera camera;
+    camera.roll = roll * static_cast<float> (M_PI);
+    const View hidden = look ({floor_slab, post, beam}, camera);
+    ASSERT_GT (hidden.pixelsOf (1).size(), 200u);
+    const View seen = look ({floor_slab, stump, beam}, camera);
+    EXPECT_TRUE (extract (hidden).empty()) << roll;
+    EXPECT_TRUE (extract (turned (hidden)).empty()) << roll;
+    EXPECT_EQ (extract (seen).size(), 1u) << roll;
+    EXPECT_EQ (extract (turned (seen)).size(), 1u) << roll;
+  }
+}
+
+TEST (ObjectBackground, TallThingsAreNoObjects)
+{
+  const View view = look ({floor_slab, table, onTable (1.3f, 0.f, {0.1f, 0.1f, 0.4f})});
+  Extraction extraction;
+  EXPECT_TRUE (extract (extraction, view).empty());
+  extraction.setMaxObjectHeight (0.45);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+}
+
+/** The top of a crate is level with where what is too high begins. */
+TEST (ObjectBackground, TallThingsBesideACrateAreNoObjects)
+{
+  const Box post{{2.6f, -0.3f, 0.f}, {0.25f, 0.25f, 1.7f}};
+  for (const float height : {0.305f, 0.31f, 0.315f, 0.32f}) {
+    const Box crate{{2.f, 0.7f, 0.f}, {0.4f, 0.5f, height}};
+    View view = look ({floor_slab, crate, post}, {1.2f, 0.45f}, 0.5f);
+    const std::size_t floor = view.top.at (0), top = view.top.at (1);
+    // What is tall may be no plane, as a person.
+    view.models = {view.models[floor], view.models[top]};
+    view.inliers = {view.inliers[floor], view.inliers[top]};
+    EXPECT_TRUE (extract (view).empty()) << height;
+  }
+}
+
+/** However few pixels wide they are. */
+TEST (ObjectBackground, PolesAreNoObjects)
+{
+  Camera camera;
+  camera.width = 640;
+  camera.image_height = 480;
+  camera.pitch_down = 0.45f;
+  for (const float width : {0.012f, 0.02f, 0.03f, 0.08f})
+    for (const float x : {1.5f, 2.f, 2.5f})
+      for (const float noise : {0.f, 1.f}) {
+        const auto objects = [&] (float height) {
+          const Box pole{{x, 0.f, 0.f}, {width, width, height}};
+          return extract (look ({floor_slab, pole}, camera, noise)).size();
+        };
+        EXPECT_EQ (objects (1.f), 0u) << width << " " << x << " " << noise;
+        // What noise parts is more than one.
+        if (width > 0.015f) {
+          EXPECT_GE (objects (0.28f), 1u) << width << " " << x << " " << noise;
+        }
+      }
+}
+
+TEST (ObjectBackground, WhatTheImageCutsIsTruncatedAndNotGraspable)
+{
+  // At x = 1.2 m the image ends 0.8 m to the side. Cameras have margins without depth.
+  const auto isTruncated = [] (float y, std::uint32_t margin) {
+    const View view =
+        look ({floor_slab, deep_table, onTable (1.2f, y, {0.08f, 0.08f, 0.15f})});
+    for (std::uint32_t i = 0; i < view.cloud->size(); ++i)
+      if (const std::uint32_t u = i % 320; u < margin || u + margin >= 320)
+        (*view.cloud)[i].getVector3fMap().setConstant (
+            std::numeric_limits<float>::quiet_NaN());
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 1u) << y << " " << margin;
+    EXPECT_NE (objects.front().truncated, objects.front().graspable);
+    return objects.front().truncated;
+  };
+  EXPECT_FALSE (isTruncated (0.f, 0));
+  EXPECT_FALSE (isTruncated (0.f, 10));
+  for (const float side : {1.f, -1.f}) {
+    EXPECT_TRUE (isTruncated (side * 0.8f, 0));
+    EXPECT_TRUE (isTruncated (side * 0.75f, 10));
+  }
+}
+
+TEST (ObjectBackground, WallsThatTheImageCutsAreNoObjects)
+{
+  // The image ends less than 30 cm above the floor, at a wall and at a box of 29 cm.
+  const Camera looks_down{1.4f, 0.85f};
+  const Box wall{{2.7f, 0.f, 0.f}, {0.2f, 6.f, 2.f}};
+  const Box corner{{0.f, 1.1f, 0.f}, {6.f, 0.2f, 2.f}};
+  const Box box{{2.7f, 0.3f, 0.f}, {0.1f, 0.2f, 0.29f}};
+  for (const float noise : {0.f, 1.f}) {
+    EXPECT_TRUE (extract (look ({floor_slab, wall}, looks_down, noise)).empty());
+    EXPECT_TRUE (
+        extract (look ({floor_slab, wall, corner}, looks_down, noise)).empty());
+    const Objects objects = extract (look ({floor_slab, box}, looks_down, noise));
+    ASSERT_EQ (objects.size(), 1u);
+    EXPECT_TRUE (objects.front().truncated);
+  }
+}

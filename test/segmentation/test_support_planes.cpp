@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "table_objects.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace table_objects;
+
+TEST (SupportPlanes, HeightsOfPlanes)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  Extraction extraction;
+  extraction.setPlaneHeights (0.65, 0.75);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setPlaneHeights (0.72, 1.2);
+  EXPECT_TRUE (extract (extraction, view).empty());
+  extraction.setPlaneHeights (0.1, 0.68);
+  EXPECT_TRUE (extract (extraction, view).empty());
+}
+
+TEST (SupportPlanes, HorizontalTolerance)
+{
+  View view = look ({floor_slab, table, onTable (1.f, 0.1f, {0.06f, 0.06f, 0.1f})});
+  Camera wrong;
+  wrong.pitch_down += 0.1f;
+  view.camera_to_base = wrong.toBase();
+  Extraction extraction;
+  extraction.setPlaneHeights (0.4, 1.2);
+  extraction.setHorizontalTolerance (0.12);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setHorizontalTolerance (0.08);
+  EXPECT_TRUE (extract (extraction, view).empty());
+}
+
+TEST (SupportPlanes, HullTolerance)
+{
+  // Things hang over the edge of the table on the left, by 2 cm and by 8 cm.
+  const auto overhanging = [] (float by) {
+    return look (
+        {floor_slab, table, onTable (1.1f, 0.5f + by - 0.05f, {0.1f, 0.1f, 0.1f})});
+  };
+  Extraction extraction;
+  extraction.setMaxOverhang (0.);
+  const View little = overhanging (0.02f), much = overhanging (0.08f);
+  EXPECT_GT (bestIou (extract (extraction, little), little, 2), 0.85);
+  EXPECT_LT (bestIou (extract (extraction, much), much, 2), 0.7);
+  extraction.setHullTolerance (0.1);
+  EXPECT_GT (bestIou (extract (extraction, much), much, 2), 0.85);
+}
+
+TEST (SupportPlanes, MaxOverhang)
+{
+  const auto stickingOut = [] (float by, double max_overhang) {
+    const View view = look (
+        {floor_slab, table, onTable (1.1f, 0.42f + by, {0.16f, 0.16f, 0.1f})}, {}, 1.f);
+    Extraction extraction;
+    extraction.setMaxOverhang (max_overhang);
+    return bestIou (extract (extraction, view), view, 2);
+  };
+  EXPECT_GT (stickingOut (0.f, 0.2), 0.8);
+  EXPECT_GT (stickingOut (0.08f, 0.2), 0.8);
+  EXPECT_LT (stickingOut (0.08f, 0.), 0.7);
+  EXPECT_EQ (stickingOut (0.4f, 0.2), 0.); // it is over the floor
+}
+
+TEST (SupportPlanes, SeveralTables)
+{
+  const Box low_table{{1.2f, 0.45f, 0.46f}, {0.6f, 0.5f, 0.04f}};
+  const Box high_table{{1.2f, -0.35f, 0.66f}, {0.6f, 0.6f, 0.04f}};
+  const View view = look ({floor_slab,
+                           low_table,
+                           high_table,
+                           {{1.2f, 0.4f, 0.5f}, {0.1f, 0.1f, 0.1f}},
+                           {{1.2f, -0.3f, 0.7f}, {0.1f, 0.1f, 0.1f}}});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 2u);
+  for (const auto& object : objects) {
+    const bool is_low = iou (object, view, 3) > 0.5;
+    EXPECT_GT (iou (object, view, is_low ? 3 : 4), 0.85);
+    EXPECT_EQ (object.support, view.top.at (is_low ? 1 : 2));
+    EXPECT_NEAR (object.box_size.z(), 0.1f, 0.005f);
+  }
+}
+
+TEST (SupportPlanes, TableCutByTheImage)
+{
+  const Box large_table{{1.2f, 0.f, 0.66f}, {3.f, 4.f, 0.04f}};
+  const View view = look ({large_table,
+                           onTable (1.f, 0.1f, {0.1f, 0.1f, 0.1f}),
+                           onTable (1.f, 0.55f, {0.1f, 0.1f, 0.1f})});
+  ASSERT_LT (*std::min_element (view.box.begin(), view.box.end()), 1);
+  const Objects objects = extract (view);
+  EXPECT_EQ (objects.size(), 2u);
+  for (const int box : {1, 2})
+    EXPECT_GT (bestIou (objects, view, box), 0.85) << box;
+}
+
+/** What is seen of the table has a hull without the corner that the thing hides. */
+TEST (SupportPlanes, ThingsAtACornerOfATableAreObjects)
+{
+  for (const float yaw : {0.f, 0.4f, 0.8f})
+    for (const float width : {0.06f, 0.1f, 0.2f})
+      for (const float noise : {0.f, 1.f}) {
+        const float half = 0.5f * width * (std::cos (yaw) + std::sin (yaw)) + 0.005f;
+        const Box thing = onTable (1.6f - half, 0.5f - half, {width, width, 0.1f}, yaw);
+        const View view = look ({floor_slab, table, thing}, {}, noise);
+        const Objects objects = extract (view);
+        EXPECT_EQ (objects.size(), 1u) << yaw << " " << width << " " << noise;
+        EXPECT_GT (bestIou (objects, view, 2), 0.8)
+            << yaw << " " << width << " " << noise;
+      }
+}
+
+TEST (SupportPlanes, ThingsBesideATurnedTableAreNotOnIt)
+{
+  // One in front of an edge, on nothing; a box around the table along x and y holds it.
+  const Box turned{{1.2f, 0.f, 0.66f}, {0.6f, 0.6f, 0.04f}, 0.785f};
+  const Box in_the_air = onTable (0.9f, 0.3f, {0.08f, 0.08f, 0.1f}, 0.785f);
+  const Box on_it = onTable (1.2f, 0.f, {0.08f, 0.08f, 0.1f});
+  const View view = look ({floor_slab, turned, in_the_air, on_it});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 3), 0.85);
+}
+
+TEST (SupportPlanes, WhatStandsBesideATableIsNoObjectOfIt)
+{
+  for (const float gap : {0.f, 0.01f, 0.05f, 0.15f}) {
+    const Box chair{{1.2f, 0.6f + gap, 0.f}, {0.2f, 0.2f, 0.9f}};
+    const View view = look ({floor_slab, table, chair});
+    EXPECT_GT (view.pixelsOf (2).size(), 500u);
+    EXPECT_TRUE (extract (view).empty()) << gap;
+  }
+}
+
+TEST (SupportPlanes, LabelsThatLeak)
+{
+  View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  auto& table_inliers = view.inliers[view.top.at (1)].indices;
+  const std::size_t before = table_inliers.size();
+  for (const auto i : view.pixelsOf (2)) // its lowest 3 cm
+    if ((view.camera_to_base * (*view.cloud)[i].getVector3fMap()).z() <
+        table_height + 0.03f)
+      table_inliers.push_back (i);
+  ASSERT_GT (table_inliers.size(), before + 100);
+  std::sort (table_inliers.begin(), table_inliers.end());
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 2), 0.85);
+}
+
+TEST (SupportPlanes, OptimisesAModelThatOutliersSpoilt)
+{
+  View view =
+      look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})}, {}, 0.3f);
+  auto& model = view.models[view.top.at (1)].values;
+  const float true_d = model[3];
+  model[3] += 0.012f;
+  Extraction extraction;
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  const auto& supports = extraction.getSupportPlanes();
+  const auto table_top =
+      std::find_if (supports.begin(), supports.end(), [&] (const auto& support) {
+        return support.index == view.top.at (1);
+      });
+  ASSERT_NE (table_top, supports.end());
+  EXPECT_NEAR (table_top->plane.d, true_d, 0.001f);
+}
