@@ -139,6 +139,18 @@ strongColor (Random& random)
   return color;
 }
 
+void
+paint (Scene& scene,
+       std::size_t first,
+       const Vector3f& center,
+       const Vector3f& size,
+       const Vector3f& color)
+{
+  for (std::size_t i = first; i < scene.surfaces.size(); ++i)
+    scene.surfaces[i].decals.push_back (
+        {Eigen::AlignedBox3f (center - 0.5f * size, center + 0.5f * size), color});
+}
+
 Affine3f
 poseAt (const Placement& placement)
 {

@@ -6,15 +6,28 @@
 #include "random.h"
 #include "scene.h"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief Colours; the first one is too dark for infrared cameras. */
+inline const Eigen::Vector3f dark (0.03f, 0.03f, 0.03f);
+inline const Eigen::Vector3f steel (0.60f, 0.64f, 0.66f);
+
 /** \brief A saturated colour. */
 Eigen::Vector3f
 strongColor (Random& random);
+
+/** \brief A part of the surfaces \a first and later has another colour. */
+void
+paint (Scene& scene,
+       std::size_t first,
+       const Eigen::Vector3f& center,
+       const Eigen::Vector3f& size,
+       const Eigen::Vector3f& color);
 
 /** \brief A place in metres and a turn around the vertical axis in radians. */
 struct Placement {

@@ -13,6 +13,18 @@ namespace {
 
 constexpr int disc_corners = 96;
 
+/** Of diameter 1. */
+std::vector<Eigen::Vector2f>
+circle ()
+{
+  std::vector<Eigen::Vector2f> corners;
+  for (int i = 0; i < disc_corners; ++i) {
+    const float angle = 6.2831853f * static_cast<float> (i) / disc_corners;
+    corners.emplace_back (0.5f * std::cos (angle), 0.5f * std::sin (angle));
+  }
+  return corners;
+}
+
 } // namespace
 
 void
@@ -64,12 +76,10 @@ Scene::addCylinder (const Eigen::Affine3f& pose,
   addObject (
       look, TrueObject::Shape::cylinder, {2.f * radius, 2.f * radius, height}, pose);
   std::vector<Eigen::Vector3f> rim;
-  for (int i = 0; i < disc_corners; ++i) {
-    const float angle = 6.2831853f * static_cast<float> (i) / disc_corners;
-    rim.push_back (pose * Eigen::Vector3f (radius * std::cos (angle),
-                                           radius * std::sin (angle),
+  for (const auto& corner : circle())
+    rim.push_back (pose * Eigen::Vector3f (2.f * radius * corner.x(),
+                                           2.f * radius * corner.y(),
                                            height));
-  }
   addPolygon (rim, look);
   Surface& side = addPolygon ({pose * Eigen::Vector3f (0.f, 0.f, 0.f),
                                pose * Eigen::Vector3f (0.f, 0.f, height)},
@@ -89,6 +99,60 @@ Scene::addSphere (const Eigen::Vector3f& center, float radius, const Look& look)
   Surface& surface = addPolygon ({center}, look);
   surface.shape = Surface::Shape::sphere;
   surface.radius = radius;
+}
+
+void
+Scene::addOpenBox (const Eigen::Affine3f& pose,
+                   const Eigen::Vector3f& size,
+                   float wall,
+                   const Look& look)
+{
+  addObject (look, TrueObject::Shape::box, size, pose);
+  addHollow (pose,
+             {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}},
+             {size, 1.f, wall},
+             look);
+}
+
+void
+Scene::addVessel (const Eigen::Affine3f& pose, const Vessel& vessel, const Look& look)
+{
+  const Eigen::Vector3f size (
+      2.f * vessel.top_radius, 2.f * vessel.top_radius, vessel.height);
+  addObject (look, TrueObject::Shape::cylinder, size, pose);
+  addHollow (pose,
+             circle(),
+             {size, vessel.bottom_radius / vessel.top_radius, vessel.wall},
+             look);
+}
+
+void
+Scene::addHollow (const Eigen::Affine3f& pose,
+                  const std::vector<Eigen::Vector2f>& outline,
+                  const Hollow& hollow,
+                  const Look& look)
+{
+  const auto ring = [&] (float scale, float wall, float z) {
+    std::vector<Eigen::Vector3f> corners;
+    for (const auto& corner : outline) {
+      const Eigen::Vector2f at =
+          corner.array() * (scale * hollow.size.head<2>().array() - 2.f * wall);
+      corners.emplace_back (pose * Eigen::Vector3f (at.x(), at.y(), z));
+    }
+    return corners;
+  };
+  const std::array<std::vector<Eigen::Vector3f>, 4> rings{
+      {ring (hollow.bottom, 0.f, 0.f),
+       ring (1.f, 0.f, hollow.size.z()),
+       ring (1.f, hollow.wall, hollow.size.z()),
+       ring (hollow.bottom, hollow.wall, hollow.wall)}};
+  for (std::size_t k = 0; k + 1 < rings.size(); ++k)
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const std::size_t next = (i + 1) % outline.size();
+      addPolygon ({rings[k][i], rings[k][next], rings[k + 1][next], rings[k + 1][i]},
+                  look);
+    }
+  addPolygon (rings.back(), look);
 }
 
 void

@@ -39,6 +39,14 @@ struct Look {
   std::uint32_t object = 0;
 };
 
+/** \brief A cup or a bowl; metres. */
+struct Vessel {
+  float bottom_radius;
+  float top_radius;
+  float height;
+  float wall;
+};
+
 /** \brief A camera at \a eye that looks at \a target, turned clockwise by \a roll radians. */
 struct View {
   Eigen::Vector3f eye;
@@ -75,7 +83,33 @@ struct Scene {
   void
   addSphere (const Eigen::Vector3f& center, float radius, const Look& look);
 
+  /** \brief A box without a lid that stands on the xy plane of \a pose. */
+  void
+  addOpenBox (const Eigen::Affine3f& pose,
+              const Eigen::Vector3f& size,
+              float wall,
+              const Look& look);
+
+  /** \brief A cup or a bowl that stands on the xy plane of \a pose. */
+  void
+  addVessel (const Eigen::Affine3f& pose, const Vessel& vessel, const Look& look);
+
 private:
+  /** \brief How large a hollow thing is, its bottom in parts of its top, and how thick its
+   * walls and its bottom are; metres. */
+  struct Hollow {
+    Eigen::Vector3f size;
+    float bottom;
+    float wall;
+  };
+
+  /** \brief Walls along \a outline, which is convex, with corners from -0.5 to 0.5. */
+  void
+  addHollow (const Eigen::Affine3f& pose,
+             const std::vector<Eigen::Vector2f>& outline,
+             const Hollow& hollow,
+             const Look& look);
+
   void
   addObject (const Look& look,
              TrueObject::Shape shape,

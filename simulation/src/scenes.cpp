@@ -4,6 +4,7 @@
 #include "scenes.h"
 
 #include "furniture.h"
+#include "table_scenes.h"
 
 #include <pcl/simulation/simulate.h>
 
@@ -19,68 +20,8 @@ namespace {
 // Random numbers are drawn in braces, which have an order, never in two arguments of a call.
 using Eigen::Vector3f;
 
-const Vector3f dark (0.03f, 0.03f, 0.03f);
 const Vector3f door (0.50f, 0.32f, 0.18f);
 const Vector3f rug (0.55f, 0.25f, 0.22f);
-const Vector3f steel (0.60f, 0.64f, 0.66f);
-
-/** A part of the surfaces \a first and later has another colour. */
-void
-paint (Scene& scene,
-       std::size_t first,
-       const Vector3f& center,
-       const Vector3f& size,
-       const Vector3f& color)
-{
-  for (std::size_t i = first; i < scene.surfaces.size(); ++i)
-    scene.surfaces[i].decals.push_back (
-        {Eigen::AlignedBox3f (center - 0.5f * size, center + 0.5f * size), color});
-}
-
-Scene
-tableSingle (Random& random)
-{
-  Scene scene;
-  addRoom (scene, {{-1.5f, -2.2f, 0.f}, {random.uniform (2.6f, 3.4f), 2.2f, 2.6f}});
-  const float height = random.uniform (0.68f, 0.78f);
-  const auto top = addTable (scene,
-                             poseAt ({1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f)}),
-                             {0.7f, 1.2f, height});
-  const Vector3f size{random.uniform (0.07f, 0.1f),
-                      random.uniform (0.12f, 0.2f),
-                      random.uniform (0.15f, 0.25f)};
-  const auto spot = poseAt ({random.uniform (-0.15f, 0.05f),
-                             random.uniform (-0.15f, 0.15f),
-                             0.f,
-                             random.uniform (0.4f, 1.2f)});
-  scene.addBox (top * spot, size, {strongColor (random), 1});
-  scene.setCamera ({{0.f, 0.f, random.uniform (1.25f, 1.5f)},
-                    {1.05f, random.uniform (-0.1f, 0.1f), height},
-                    random.uniform (-0.05f, 0.05f)});
-  return scene;
-}
-
-Scene
-tableCluttered (Random& random)
-{
-  Scene scene;
-  addRoom (scene, {{-1.5f, -2.5f, 0.f}, {random.uniform (2.8f, 3.6f), 2.5f, 2.6f}});
-  const float height = random.uniform (0.68f, 0.78f);
-  const std::size_t first = scene.surfaces.size();
-  const auto top = addTable (scene,
-                             poseAt ({1.25f, 0.f, 0.f, random.uniform (-0.2f, 0.2f)}),
-                             {0.9f, 1.5f, height});
-  paint (scene,
-         first,
-         {random.uniform (1.f, 1.4f), random.uniform (-0.3f, 0.3f), height},
-         {0.2f, 0.28f, 0.02f},
-         dark);
-  addClutter (scene, top, {0.75f, 1.1f}, random);
-  scene.setCamera ({{0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.5f, 1.7f)},
-                    {1.2f, random.uniform (-0.1f, 0.1f), height},
-                    random.uniform (-0.05f, 0.05f)});
-  return scene;
-}
 
 Scene
 room (Random& random)
@@ -218,45 +159,6 @@ floorObstacles (Random& random)
   return scene;
 }
 
-/** A worktop in the corner of a room. Five things stand in a row at the wall, from against it to
- * 2 cm off, the first one in the corner; four stand before them. */
-Scene
-worktop (Random& random)
-{
-  Scene scene;
-  const Vector3f corner{random.uniform (1.3f, 1.7f), random.uniform (0.6f, 0.9f), 2.6f};
-  addRoom (scene, {{-1.5f, -2.5f, 0.f}, corner});
-  const Vector3f size{0.6f, 2.4f, random.uniform (0.8f, 0.95f)};
-  scene.addBox (
-      poseAt ({corner.x() - 0.5f * size.x(), corner.y() - 0.5f * size.y(), 0.f, 0.f}),
-      size,
-      {steel});
-  std::uint32_t object = 0;
-  float y = corner.y();
-  for (const float gap : {0.f, 0.f, 0.005f, 0.01f, 0.02f}) {
-    const Vector3f thing{random.uniform (0.06f, 0.16f),
-                         random.uniform (0.06f, 0.2f),
-                         random.uniform (0.05f, 0.28f)};
-    const float x = corner.x() - gap - 0.5f * thing.x();
-    scene.addBox (poseAt ({x, y - 0.5f * thing.y(), size.z(), 0.f}),
-                  thing,
-                  {strongColor (random), ++object});
-    y -= thing.y() + random.uniform (0.05f, 0.1f);
-  }
-  for (const float side : {0.25f, 0.5f, 0.75f, 1.f})
-    scene.addCylinder (poseAt ({corner.x() - random.uniform (0.35f, 0.5f),
-                                corner.y() - side,
-                                size.z(),
-                                0.f}),
-                       random.uniform (0.03f, 0.05f),
-                       random.uniform (0.06f, 0.15f),
-                       {strongColor (random), ++object});
-  scene.setCamera ({{0.f, random.uniform (-0.2f, 0.2f), random.uniform (1.4f, 1.6f)},
-                    {corner.x() - 0.2f, corner.y() - 0.7f, size.z()},
-                    random.uniform (-0.05f, 0.05f)});
-  return scene;
-}
-
 struct NamedScene {
   const char* name;
   Scene (*make) (Random&);
@@ -267,7 +169,8 @@ constexpr NamedScene scenes[] = {{"table_single", tableSingle},
                                  {"room", room},
                                  {"corridor", corridor},
                                  {"floor_obstacles", floorObstacles},
-                                 {"worktop", worktop}};
+                                 {"worktop", worktop},
+                                 {"crockery", crockery}};
 
 } // namespace
 

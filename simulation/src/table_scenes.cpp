@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "table_scenes.h"
+
+#include "furniture.h"
+
+#include <cstdint>
+
+namespace pcl {
+namespace rgbd_planes {
+
+// Random numbers are drawn in braces, which have an order, never in two arguments of a call.
+using Eigen::Vector3f;
+
+Scene
+tableSingle (Random& random)
+{
+  Scene scene;
+  addRoom (scene, {{-1.5f, -2.2f, 0.f}, {random.uniform (2.6f, 3.4f), 2.2f, 2.6f}});
+  const float height = random.uniform (0.68f, 0.78f);
+  const auto top = addTable (scene,
+                             poseAt ({1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f)}),
+                             {0.7f, 1.2f, height});
+  const Vector3f size{random.uniform (0.07f, 0.1f),
+                      random.uniform (0.12f, 0.2f),
+                      random.uniform (0.15f, 0.25f)};
+  const auto spot = poseAt ({random.uniform (-0.15f, 0.05f),
+                             random.uniform (-0.15f, 0.15f),
+                             0.f,
+                             random.uniform (0.4f, 1.2f)});
+  scene.addBox (top * spot, size, {strongColor (random), 1});
+  scene.setCamera ({{0.f, 0.f, random.uniform (1.25f, 1.5f)},
+                    {1.05f, random.uniform (-0.1f, 0.1f), height},
+                    random.uniform (-0.05f, 0.05f)});
+  return scene;
+}
+
+Scene
+tableCluttered (Random& random)
+{
+  Scene scene;
+  addRoom (scene, {{-1.5f, -2.5f, 0.f}, {random.uniform (2.8f, 3.6f), 2.5f, 2.6f}});
+  const float height = random.uniform (0.68f, 0.78f);
+  const std::size_t first = scene.surfaces.size();
+  const auto top = addTable (scene,
+                             poseAt ({1.25f, 0.f, 0.f, random.uniform (-0.2f, 0.2f)}),
+                             {0.9f, 1.5f, height});
+  paint (scene,
+         first,
+         {random.uniform (1.f, 1.4f), random.uniform (-0.3f, 0.3f), height},
+         {0.2f, 0.28f, 0.02f},
+         dark);
+  addClutter (scene, top, {0.75f, 1.1f}, random);
+  scene.setCamera ({{0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.5f, 1.7f)},
+                    {1.2f, random.uniform (-0.1f, 0.1f), height},
+                    random.uniform (-0.05f, 0.05f)});
+  return scene;
+}
+
+Scene
+worktop (Random& random)
+{
+  Scene scene;
+  const Vector3f corner{random.uniform (1.3f, 1.7f), random.uniform (0.6f, 0.9f), 2.6f};
+  addRoom (scene, {{-1.5f, -2.5f, 0.f}, corner});
+  const Vector3f size{0.6f, 2.4f, random.uniform (0.8f, 0.95f)};
+  scene.addBox (
+      poseAt ({corner.x() - 0.5f * size.x(), corner.y() - 0.5f * size.y(), 0.f, 0.f}),
+      size,
+      {steel});
+  std::uint32_t object = 0;
+  float y = corner.y();
+  for (const float gap : {0.f, 0.f, 0.005f, 0.01f, 0.02f}) {
+    const Vector3f thing{random.uniform (0.06f, 0.16f),
+                         random.uniform (0.06f, 0.2f),
+                         random.uniform (0.05f, 0.28f)};
+    const float x = corner.x() - gap - 0.5f * thing.x();
+    scene.addBox (poseAt ({x, y - 0.5f * thing.y(), size.z(), 0.f}),
+                  thing,
+                  {strongColor (random), ++object});
+    y -= thing.y() + random.uniform (0.05f, 0.1f);
+  }
+  for (const float side : {0.25f, 0.5f, 0.75f, 1.f})
+    scene.addCylinder (poseAt ({corner.x() - random.uniform (0.35f, 0.5f),
+                                corner.y() - side,
+                                size.z(),
+                                0.f}),
+                       random.uniform (0.03f, 0.05f),
+                       random.uniform (0.06f, 0.15f),
+                       {strongColor (random), ++object});
+  scene.setCamera ({{0.f, random.uniform (-0.2f, 0.2f), random.uniform (1.4f, 1.6f)},
+                    {corner.x() - 0.2f, corner.y() - 0.7f, size.z()},
+                    random.uniform (-0.05f, 0.05f)});
+  return scene;
+}
+
+namespace {
+
+Vector3f
+openBox (Random& random)
+{
+  return Vector3f{random.uniform (0.12f, 0.3f),
+                  random.uniform (0.1f, 0.2f),
+                  random.uniform (0.05f, 0.15f)};
+}
+
+Vector3f
+solidBox (Random& random)
+{
+  return Vector3f{random.uniform (0.04f, 0.1f),
+                  random.uniform (0.04f, 0.1f),
+                  random.uniform (0.05f, 0.2f)};
+}
+
+Vessel
+bowl (Random& random)
+{
+  const float radius = random.uniform (0.06f, 0.12f);
+  return {radius * random.uniform (0.4f, 0.7f),
+          radius,
+          random.uniform (0.04f, 0.09f),
+          random.uniform (0.003f, 0.006f)};
+}
+
+Vessel
+cup (Random& random)
+{
+  const float radius = random.uniform (0.035f, 0.05f);
+  return {radius * random.uniform (0.7f, 1.f),
+          radius,
+          random.uniform (0.07f, 0.12f),
+          random.uniform (0.003f, 0.006f)};
+}
+
+} // namespace
+
+Scene
+crockery (Random& random)
+{
+  Scene scene;
+  addRoom (scene, {{-1.5f, -2.2f, 0.f}, {random.uniform (2.6f, 3.4f), 2.2f, 2.6f}});
+  const float height = random.uniform (0.68f, 0.78f);
+  const Eigen::Vector2f size (0.8f, 1.2f);
+  const auto top = addTable (scene,
+                             poseAt ({1.15f, 0.f, 0.f, random.uniform (-0.2f, 0.2f)}),
+                             {size.x(), size.y(), height});
+  FreeSpace space;
+  const auto poseFor = [&] (float radius) {
+    constexpr float margin = 0.02f, half_gap = 0.015f;
+    const Eigen::Vector2f reach =
+        0.5f * size - Eigen::Vector2f::Constant (radius + margin);
+    const Eigen::Vector2f spot = space.take (radius + half_gap, [&] {
+      return Eigen::Vector2f{random.uniform (-reach.x(), reach.x()),
+                             random.uniform (-reach.y(), reach.y())};
+    });
+    return top * poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 1.57f)});
+  };
+  std::uint32_t object = 0;
+  for (int i = 0; i < 2; ++i) {
+    const Vector3f box = openBox (random);
+    const auto pose = poseFor (0.5f * box.head<2>().norm());
+    scene.addOpenBox (pose, box, 0.005f, {strongColor (random), ++object});
+  }
+  for (const auto& make : {bowl, bowl, cup, cup, cup}) {
+    const Vessel vessel = make (random);
+    const auto pose = poseFor (vessel.top_radius);
+    scene.addVessel (pose, vessel, {strongColor (random), ++object});
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Vector3f box = solidBox (random);
+    const auto pose = poseFor (0.5f * box.head<2>().norm());
+    scene.addBox (pose, box, {strongColor (random), ++object});
+  }
+  scene.setCamera ({{0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.3f, 1.7f)},
+                    {1.1f, random.uniform (-0.1f, 0.1f), height},
+                    random.uniform (-0.05f, 0.05f)});
+  return scene;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
