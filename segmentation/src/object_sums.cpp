@@ -216,7 +216,6 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
   });
 }
 
-/** From pixel \a i to the one beside it whose ray points highest. */
 std::ptrdiff_t
 ObjectClusters::stepUpwards (std::uint32_t i) const
 {

@@ -64,6 +64,10 @@ public:
   bool
   isTruncated (const std::vector<PointRun>& runs) const;
 
+  /** \brief From pixel \a i to the one beside it whose ray points highest. */
+  std::ptrdiff_t
+  stepUpwards (std::uint32_t i) const;
+
 private:
   /** \brief Where a point is: from \ref above on, above that one of the bases, over its hull or
    * its surroundings. */
@@ -163,9 +167,6 @@ private:
 
   void
   countLeaksAndTops (const PointRun& run, const LinkLimit& limit, Sums& sums) const;
-
-  std::ptrdiff_t
-  stepUpwards (std::uint32_t i) const;
 
   float
   elevationOf (std::uint32_t i) const;

@@ -12,6 +12,7 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/concave_split.h>
+#include <pcl/segmentation/hollow_things.h>
 #include <pcl/segmentation/object_box.h>
 #include <pcl/segmentation/object_clusters.h>
 #include <pcl/segmentation/support_planes.h>
@@ -393,6 +394,7 @@ private:
   rgbd_planes::SupportPlanes supports_;
   rgbd_planes::ObjectClusters clustering_;
   rgbd_planes::ConcaveSplit split_;
+  rgbd_planes::HollowThings hollow_things_;
   rgbd_planes::ObjectBoxFinder boxes_;
 };
 

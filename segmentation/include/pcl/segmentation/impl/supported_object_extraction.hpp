@@ -112,18 +112,23 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
   const Eigen::Translation3f sensor (input_->sensor_origin_.template head<3>());
   supports_.compute (points, planes_, camera_to_base_ * sensor, parameters);
   clustering_.compute (points, selected_, supports_, parameters);
-  if (!parameters_.split_at_concave_edges)
-    return clustering_.clusters();
-  const PointNT& first = normals_->front();
-  split_.compute (
-      points,
-      {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
-      clustering_.pixelAngle(),
-      planes_,
-      supports_.planes(),
-      parameters,
-      clustering_.clusters());
-  return split_.parts();
+  if (parameters_.split_at_concave_edges) {
+    const PointNT& first = normals_->front();
+    split_.compute (
+        points,
+        {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
+        clustering_.pixelAngle(),
+        planes_,
+        supports_.planes(),
+        parameters,
+        clustering_.clusters());
+  }
+  hollow_things_.compute (points,
+                          clustering_,
+                          supports_.planes(),
+                          parameters_.split_at_concave_edges ? split_.parts()
+                                                             : clustering_.clusters());
+  return hollow_things_.things();
 }
 
 template <typename PointT, typename PointNT>

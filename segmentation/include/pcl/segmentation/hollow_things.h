@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/segmentation/disjoint_sets.h>
+#include <pcl/segmentation/object_clusters.h>
+#include <pcl/segmentation/occlusion_steps.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Joins what is seen of a cup, a bowl, or a box without a lid from above: the outside,
+ * and behind the rim, a step further away, the inside.
+ *
+ * Convex things that stand one behind the other bulge towards each other, so that along the
+ * image the step between them is largest where one of the two ends. Behind a rim it is largest
+ * in the middle, and small at the ends, where the rim turns back. Walls that are seen at such flat
+ * angles that they are not measured leave two plates, one behind the other and equally wide; the
+ * wall of a bowl leaves its foot, in front of the inside and within the circle of its rim.
+ */
+class PCL_RGBD_PLANES_EXPORTS HollowThings {
+public:
+  /** \param[in] clustering of the same points
+   * \param[in] supports the planes that the clusters refer to
+   */
+  void
+  compute (const OrganizedPoints& points,
+           const ObjectClusters& clustering,
+           const std::vector<SupportPlane>& supports,
+           const std::vector<ObjectCluster>& clusters);
+
+  /** \brief The clusters, in the order of the first ones of what was joined. */
+  const std::vector<ObjectCluster>&
+  things () const
+  {
+    return things_;
+  }
+
+private:
+  /** \brief From one cluster to one behind it. */
+  using Steps = std::vector<OcclusionStep>::const_iterator;
+
+  bool
+  isHollow (Steps first, Steps last);
+
+  bool
+  isRim (Steps first, Steps last);
+
+  bool
+  areWalls (Steps first, Steps last);
+
+  bool
+  isFoot (Steps first, Steps last);
+
+  float
+  heightOf (std::uint32_t point) const;
+
+  Eigen::Vector3f
+  alongSupport (const Eigen::Vector3f& way) const;
+
+  template <typename Number>
+  float
+  median (Steps first, Steps last, const Number& number);
+
+  float
+  medianRim (Steps first, Steps last);
+
+  float
+  medianTop (Steps first, Steps last);
+
+  void
+  collect (const std::vector<ObjectCluster>& clusters);
+
+  OrganizedPoints points_;
+  float pixel_angle_ = 0.f;
+  OcclusionSteps occlusions_;
+  const SupportPlane* support_ = nullptr; // of the cluster in front
+  std::vector<float> numbers_;
+  std::vector<bool> is_inside_; // clusters that are behind a rim
+  DisjointSets sets_;
+  std::vector<std::size_t> thing_of_; // of the first clusters of things
+  std::vector<ObjectCluster> things_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

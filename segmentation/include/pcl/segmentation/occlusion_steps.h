@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/segmentation/object_clusters.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Where a line of the image, on its way upwards, goes from one cluster to one behind. */
+struct OcclusionStep {
+  std::size_t line = 0;      /**< row or column */
+  std::size_t front = 0;     /**< the cluster in front */
+  std::size_t behind = 0;    /**< the cluster behind */
+  std::uint32_t edge = 0;    /**< the last point in front */
+  std::uint32_t lowest = 0;  /**< the first point behind */
+  std::uint32_t highest = 0; /**< the last point behind */
+  std::size_t skipped = 0;   /**< pixels between \a edge and \a lowest */
+  float depth = 0.f;         /**< how much farther it is behind; metres */
+};
+
+/** \brief Finds which clusters are in front of others, along those lines of the image, rows or
+ * columns, that run upwards. */
+class PCL_RGBD_PLANES_EXPORTS OcclusionSteps {
+public:
+  /** \brief Finds the steps between clusters with up to a tenth of the width of the image between.
+   * \param[in] clustering of the same points
+   */
+  void
+  compute (const OrganizedPoints& points,
+           const ObjectClusters& clustering,
+           const std::vector<ObjectCluster>& clusters);
+
+  /** \brief Ends with these clusters: nothing more is asked of them. */
+  void
+  finish (const std::vector<ObjectCluster>& clusters);
+
+  /** \brief One pair of clusters after the other, those with the last front first, line by line. */
+  const std::vector<OcclusionStep>&
+  steps () const
+  {
+    return steps_;
+  }
+
+  /** \brief The lowest points of a cluster in the first and the last one of its lines. */
+  std::array<std::uint32_t, 2>
+  lowestAtEnds (std::size_t cluster) const
+  {
+    return extents_[cluster].lowest;
+  }
+
+  /** \brief In how many lines a cluster is. */
+  std::size_t
+  linesOf (std::size_t cluster) const
+  {
+    return extents_[cluster].lines;
+  }
+
+  /** \brief How many pixels there are, at most, between points that are next to each other, for
+   * edges lack depth. */
+  std::size_t
+  maxGap () const;
+
+  /** \brief Calls use (point) for the points in front of a step, from its edge downwards, up to
+   * a gap of more than maxGap(). */
+  template <typename Use>
+  void
+  forEachBelow (const OcclusionStep& step, const Use& use) const
+  {
+    const std::ptrdiff_t down = -extents_[step.behind].up;
+    std::size_t skipped = 0;
+    std::uint32_t i = step.edge;
+    for (auto next = neighbor (i, down); next != i && skipped <= maxGap();
+         next = neighbor (i, down)) {
+      i = next;
+      skipped = owner_[i] == owner_[step.edge] ? 0 : skipped + 1;
+      if (skipped == 0)
+        use (i);
+    }
+  }
+
+private:
+  /** \brief Of a cluster. */
+  struct Extent {
+    std::ptrdiff_t up = 0; // to the next point of a line
+    std::size_t lines = 0;
+    std::array<std::uint32_t, 2> lowest{};
+  };
+
+  void
+  findEnds (const ObjectCluster& cluster, Extent& extent);
+
+  bool
+  findFront (OcclusionStep& step) const;
+
+  std::uint32_t
+  neighbor (std::uint32_t i, std::ptrdiff_t step) const;
+
+  float
+  rangeFrom (std::uint32_t i, std::ptrdiff_t step, bool farthest) const;
+
+  OrganizedPoints points_;
+  std::vector<std::uint32_t> owner_; // of each point: its cluster, from 1 on, or 0
+  std::vector<Extent> extents_;
+  std::vector<std::uint32_t> lowest_, highest_; // points of a cluster in each line
+  std::vector<OcclusionStep> steps_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/hollow_things.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+using Eigen::Vector3f;
+using Map = Eigen::Map<const Vector3f>;
+
+/** Rims are in so many lines of the image. */
+constexpr std::ptrdiff_t min_lines = 5;
+/** They are level, walls are thin, and the inside is so far behind in the middle; metres. */
+constexpr float max_tilt = 0.01f;
+constexpr float max_wall = 0.015f;
+constexpr float min_depth = 0.02f;
+/** How far behind it is at the ends, in parts of that. */
+constexpr float max_end = 0.7f;
+/** Plates that are equally wide have the other one beside such a part of them. */
+constexpr float min_common = 0.7f;
+/** The inside of a bowl is so far behind the ends of its rim, in radii. */
+constexpr float min_bulge = 0.4f;
+
+} // namespace
+
+void
+HollowThings::compute (const OrganizedPoints& points,
+                       const ObjectClusters& clustering,
+                       const std::vector<SupportPlane>& supports,
+                       const std::vector<ObjectCluster>& clusters)
+{
+  points_ = points;
+  pixel_angle_ = clustering.pixelAngle();
+  const auto count = static_cast<std::uint32_t> (clusters.size());
+  is_inside_.assign (count, false);
+  sets_.resize (count);
+  for (std::uint32_t k = 0; k < count; ++k)
+    sets_.add (k);
+  occlusions_.compute (points, clustering, clusters);
+  const auto& steps = occlusions_.steps();
+  for (auto first = steps.begin(), last = first; first != steps.end(); first = last) {
+    const std::size_t front = first->front, behind = first->behind;
+    last = std::find_if (first, steps.end(), [&] (const OcclusionStep& step) {
+      return step.front != front || step.behind != behind;
+    });
+    support_ = &supports[clusters[front].support];
+    if (clusters[front].support != clusters[behind].support || !isHollow (first, last))
+      continue;
+    is_inside_[behind] = true;
+    sets_.join (static_cast<std::uint32_t> (front),
+                static_cast<std::uint32_t> (behind));
+  }
+  occlusions_.finish (clusters);
+  collect (clusters);
+}
+
+bool
+HollowThings::isHollow (Steps first, Steps last)
+{
+  if (isFoot (first, last))
+    return true;
+  // Where more is between, something else may hide the rim.
+  const auto isClose = [&] (const OcclusionStep& step) {
+    return step.skipped <= occlusions_.maxGap();
+  };
+  first = std::find_if (first, last, isClose);
+  while (last != first && !isClose (*(last - 1)))
+    --last;
+  return last - first >= min_lines &&
+         std::fabs (medianRim (first, last) - medianTop (first, last)) <= max_tilt &&
+         (isRim (first, last) || areWalls (first, last));
+}
+
+/** Whether the step is large in the middle, and small at both ends. */
+bool
+HollowThings::isRim (Steps first, Steps last)
+{
+  const auto depth = [this] (Steps begin, Steps end) {
+    return median (begin, end, [] (const OcclusionStep& step) { return step.depth; });
+  };
+  const std::ptrdiff_t lines = last - first;
+  const std::ptrdiff_t end = std::clamp<std::ptrdiff_t> (lines / 10, 1, 3);
+  const float middle = depth (first + lines / 3, last - lines / 3);
+  return middle >= min_depth && depth (first, first + end) <= max_end * middle &&
+         depth (last - end, last) <= max_end * middle;
+}
+
+/** Whether two plates are equally wide, and the one in front shows no top and is no inside. */
+bool
+HollowThings::areWalls (Steps first, Steps last)
+{
+  const auto thicknessOf = [&] (const OcclusionStep& step) {
+    const Map edge (points_[step.edge]);
+    float thickness = 0.f;
+    occlusions_.forEachBelow (step, [&] (std::uint32_t i) {
+      thickness = std::max (thickness, alongSupport (edge - Map (points_[i])).norm());
+    });
+    // A pixel of a top may be lost.
+    return thickness + pixel_angle_ * edge.squaredNorm() /
+                           std::fabs (support_->plane.normal.dot (edge));
+  };
+  const auto areMostOf = [&] (std::size_t cluster) {
+    return static_cast<float> (last - first) >=
+           min_common * static_cast<float> (occlusions_.linesOf (cluster));
+  };
+  return !is_inside_[first->front] && areMostOf (first->front) &&
+         areMostOf (first->behind) && median (first, last, thicknessOf) <= max_wall;
+}
+
+/** Whether the inside of a bowl is behind, and what is in front within the circle of its rim. */
+bool
+HollowThings::isFoot (Steps first, Steps last)
+{
+  const auto ends = occlusions_.lowestAtEnds (first->behind);
+  const Map left (points_[ends[0]]), right (points_[ends[1]]);
+  const Vector3f center = 0.5f * (left + right), across = alongSupport (right - left);
+  const float radius = 0.5f * across.norm();
+  Vector3f away = support_->plane.normal.cross (across).normalized();
+  away *= away.dot (center) > 0.f ? 1.f : -1.f;
+  const auto bulgeOf = [&] (const OcclusionStep& step) {
+    return away.dot (Map (points_[step.lowest]) - center);
+  };
+  const auto distanceOf = [&] (const OcclusionStep& step) {
+    return alongSupport (Map (points_[step.edge]) - center).norm();
+  };
+  const float top = medianTop (first, last);
+  return std::fabs (heightOf (ends[0]) - top) <= max_tilt &&
+         std::fabs (heightOf (ends[1]) - top) <= max_tilt &&
+         median (first, last, bulgeOf) >= min_bulge * radius &&
+         median (first, last, distanceOf) <= radius &&
+         medianRim (first, last) <= top + max_tilt;
+}
+
+float
+HollowThings::heightOf (std::uint32_t point) const
+{
+  return support_->plane.distance (points_[point]);
+}
+
+Vector3f
+HollowThings::alongSupport (const Vector3f& way) const
+{
+  return way - support_->plane.normal * support_->plane.normal.dot (way);
+}
+
+template <typename Number>
+float
+HollowThings::median (Steps first, Steps last, const Number& number)
+{
+  numbers_.resize (static_cast<std::size_t> (last - first));
+  std::transform (first, last, numbers_.begin(), number);
+  const auto middle =
+      numbers_.begin() + static_cast<std::ptrdiff_t> (numbers_.size() / 2);
+  std::nth_element (numbers_.begin(), middle, numbers_.end());
+  return *middle;
+}
+
+/** The height of what is in front. */
+float
+HollowThings::medianRim (Steps first, Steps last)
+{
+  return median (
+      first, last, [&] (const OcclusionStep& step) { return heightOf (step.edge); });
+}
+
+/** The height of what is behind. */
+float
+HollowThings::medianTop (Steps first, Steps last)
+{
+  return median (
+      first, last, [&] (const OcclusionStep& step) { return heightOf (step.highest); });
+}
+
+/** What was joined is where the first of its clusters is. */
+void
+HollowThings::collect (const std::vector<ObjectCluster>& clusters)
+{
+  std::size_t count = 0;
+  thing_of_.resize (clusters.size());
+  for (std::uint32_t k = 0; k < clusters.size(); ++k) {
+    const std::uint32_t root = sets_.root (k);
+    const auto& runs = clusters[k].runs;
+    if (root != k) {
+      auto& joined = things_[thing_of_[root]].runs;
+      joined.insert (joined.end(), runs.begin(), runs.end());
+      std::sort (joined.begin(), joined.end(), [] (const auto& a, const auto& b) {
+        return a.first < b.first;
+      });
+      continue;
+    }
+    thing_of_[k] = count++;
+    things_.resize (std::max (things_.size(), count));
+    things_[thing_of_[k]].runs.assign (runs.begin(), runs.end());
+    things_[thing_of_[k]].support = clusters[k].support;
+  }
+  things_.resize (count);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

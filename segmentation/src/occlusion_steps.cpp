@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/occlusion_steps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/** The width of the image in widths of what edges lack, */
+constexpr int gaps = 100;
+/** of what may be between two clusters, */
+constexpr int ways = 10;
+/** and of what it is unclear to which of them it belongs. */
+constexpr int uncertainties = 160;
+
+bool
+isThere (std::uint32_t point)
+{
+  return point != none;
+}
+
+bool
+alongRow (std::ptrdiff_t up)
+{
+  return up == 1 || up == -1;
+}
+
+} // namespace
+
+void
+OcclusionSteps::compute (const OrganizedPoints& points,
+                         const ObjectClusters& clustering,
+                         const std::vector<ObjectCluster>& clusters)
+{
+  points_ = points;
+  owner_.resize (points.size(), 0);
+  for (std::size_t k = 0; k < clusters.size(); ++k)
+    for (const PointRun& run : clusters[k].runs)
+      std::fill_n (
+          owner_.begin() + run.first, run.length, static_cast<std::uint32_t> (k + 1));
+  extents_.resize (clusters.size());
+  steps_.clear();
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    const auto& runs = clusters[k].runs;
+    extents_[k].up = clustering.stepUpwards (runs[runs.size() / 2].first);
+    findEnds (clusters[k], extents_[k]);
+    for (std::size_t line = 0; line < lowest_.size(); ++line) {
+      OcclusionStep step;
+      step.line = line;
+      step.behind = k;
+      step.lowest = lowest_[line];
+      step.highest = highest_[line];
+      if (isThere (step.lowest) && findFront (step))
+        steps_.push_back (step);
+    }
+  }
+  std::sort (steps_.begin(), steps_.end(), [] (const auto& a, const auto& b) {
+    return std::tie (b.front, a.behind, a.line) < std::tie (a.front, b.behind, b.line);
+  });
+}
+
+void
+OcclusionSteps::finish (const std::vector<ObjectCluster>& clusters)
+{
+  for (const auto& cluster : clusters)
+    for (const PointRun& run : cluster.runs)
+      std::fill_n (owner_.begin() + run.first, run.length, 0);
+}
+
+/** The lowest and the highest point of the cluster in each line. */
+void
+OcclusionSteps::findEnds (const ObjectCluster& cluster, Extent& extent)
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const bool along_row = alongRow (extent.up);
+  const int lines = along_row ? points_.height : points_.width;
+  auto& begin = extent.up > 0 ? lowest_ : highest_;
+  auto& end = extent.up > 0 ? highest_ : lowest_;
+  begin.assign (static_cast<std::size_t> (lines), none);
+  end.assign (static_cast<std::size_t> (lines), none);
+  for (const PointRun& run : cluster.runs) {
+    const std::uint32_t u = run.first % width, v = run.first / width;
+    if (along_row) {
+      begin[v] = std::min (begin[v], run.first);
+      end[v] = run.first + run.length - 1;
+      continue;
+    }
+    for (std::uint32_t k = 0; k < run.length; ++k) {
+      begin[u + k] = std::min (begin[u + k], run.first + k);
+      end[u + k] = run.first + k;
+    }
+  }
+  const auto first = std::find_if (lowest_.cbegin(), lowest_.cend(), isThere);
+  const auto last = std::find_if (lowest_.crbegin(), lowest_.crend(), isThere);
+  extent.lowest = {*first, *last};
+  extent.lines = static_cast<std::size_t> (last.base() - first);
+}
+
+/** The next point of another cluster below the lowest one. */
+bool
+OcclusionSteps::findFront (OcclusionStep& step) const
+{
+  const std::ptrdiff_t up = extents_[step.behind].up;
+  const auto most = static_cast<std::size_t> (points_.width / ways);
+  std::uint32_t i = step.lowest;
+  for (step.skipped = 0; step.skipped < most; ++step.skipped) {
+    const std::uint32_t below = neighbor (i, -up);
+    if (below == i)
+      return false;
+    i = below;
+    if (owner_[i] == 0)
+      continue;
+    if (owner_[i] == owner_[step.lowest])
+      return false;
+    step.front = owner_[i] - 1;
+    step.edge = i;
+    step.depth = rangeFrom (step.lowest, up, true) - rangeFrom (i, -up, false);
+    return true;
+  }
+  return false;
+}
+
+/** That of the nearest or the farthest of the next points of a cluster. */
+float
+OcclusionSteps::rangeFrom (std::uint32_t i, std::ptrdiff_t step, bool farthest) const
+{
+  const int count = std::max (points_.width / uncertainties, 2);
+  float range = squaredRange (points_[i]);
+  std::uint32_t k = i;
+  for (int n = 1; n < count; ++n) {
+    k = neighbor (k, step);
+    if (owner_[k] != owner_[i])
+      break;
+    const float next = squaredRange (points_[k]);
+    range = farthest ? std::max (range, next) : std::min (range, next);
+  }
+  return std::sqrt (range);
+}
+
+/** The pixel itself at the border of the image. */
+std::uint32_t
+OcclusionSteps::neighbor (std::uint32_t i, std::ptrdiff_t step) const
+{
+  const auto width = static_cast<std::uint32_t> (points_.width);
+  const bool is_inside = step == 1    ? i % width + 1 < width
+                         : step == -1 ? i % width > 0
+                         : step > 0   ? i + width < points_.size()
+                                      : i >= width;
+  return is_inside ? static_cast<std::uint32_t> (i + step) : i;
+}
+
+std::size_t
+OcclusionSteps::maxGap() const
+{
+  return static_cast<std::size_t> (points_.width / gaps);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
