@@ -97,13 +97,14 @@ HollowThings::areWalls (Steps first, Steps last)
 {
   const auto thicknessOf = [&] (const OcclusionStep& step) {
     const Map edge (points_[step.edge]);
-    float thickness = 0.f;
+    float sum = 0.f, count = 1.f;
     occlusions_.forEachBelow (step, [&] (std::uint32_t i) {
-      thickness = std::max (thickness, alongSupport (edge - Map (points_[i])).norm());
+      sum += alongSupport (edge - Map (points_[i])).norm();
+      ++count;
     });
     // A pixel of a top may be lost.
-    return thickness + pixel_angle_ * edge.squaredNorm() /
-                           std::fabs (support_->plane.normal.dot (edge));
+    return sum / count + pixel_angle_ * edge.squaredNorm() /
+                             std::fabs (support_->plane.normal.dot (edge));
   };
   const auto areMostOf = [&] (std::size_t cluster) {
     return static_cast<float> (last - first) >=

@@ -273,7 +273,7 @@ TEST (Simulate, TheClutteredTableShowsMoreThan50Objects)
 
 TEST (Simulate, TheInsideOfHollowThingsIsSeenBehindTheirRims)
 {
-  const auto frame = simulate ("crockery", 1, Sensor::ideal);
+  const auto frame = simulate ("crockery", 2, Sensor::ideal);
   std::map<std::uint32_t, float> largest_step;
   for (std::size_t i = 640; i < frame.truth->size(); ++i) {
     const auto &point = (*frame.truth)[i], &above = (*frame.truth)[i - 640];

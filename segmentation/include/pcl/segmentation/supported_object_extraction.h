@@ -70,7 +70,8 @@ struct SupportedObject {
  * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
  * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
  * by five standard deviations of depth. A thing on a thing is one object with it, but for
- * setSplitAtConcaveEdges().
+ * setSplitAtConcaveEdges(). What is seen of a cup, a bowl, or a box without a lid on both sides of
+ * its rim is one object.
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the
