@@ -63,7 +63,7 @@ HollowThings::compute (const OrganizedPoints& points,
 bool
 HollowThings::isHollow (Steps first, Steps last)
 {
-  if (isFoot (first, last))
+  if (last - first >= min_lines && isFoot (first, last))
     return true;
   // Where more is between, something else may hide the rim.
   const auto isClose = [&] (const OcclusionStep& step) {
