@@ -23,12 +23,6 @@ constexpr int ways = 10;
 constexpr int uncertainties = 160;
 
 bool
-isThere (std::uint32_t point)
-{
-  return point != none;
-}
-
-bool
 alongRow (std::ptrdiff_t up)
 {
   return up == 1 || up == -1;
@@ -55,11 +49,11 @@ OcclusionSteps::compute (const OrganizedPoints& points,
     findEnds (clusters[k], extents_[k]);
     for (std::size_t line = 0; line < lowest_.size(); ++line) {
       OcclusionStep step;
-      step.line = line;
+      step.line = extents_[k].first_line + line;
       step.behind = k;
       step.lowest = lowest_[line];
       step.highest = highest_[line];
-      if (isThere (step.lowest) && findFront (step))
+      if (step.lowest != none && findFront (step))
         steps_.push_back (step);
     }
   }
@@ -76,33 +70,38 @@ OcclusionSteps::finish (const std::vector<ObjectCluster>& clusters)
       std::fill_n (owner_.begin() + run.first, run.length, 0);
 }
 
-/** The lowest and the highest point of the cluster in each line. */
+/** The lowest and the highest point of the cluster in each of its lines. */
 void
 OcclusionSteps::findEnds (const ObjectCluster& cluster, Extent& extent)
 {
   const auto width = static_cast<std::uint32_t> (points_.width);
   const bool along_row = alongRow (extent.up);
-  const int lines = along_row ? points_.height : points_.width;
+  std::uint32_t first = none, last = 0;
+  for (const PointRun& run : cluster.runs) {
+    const std::uint32_t line = along_row ? run.first / width : run.first % width;
+    first = std::min (first, line);
+    last = std::max (last, along_row ? line : line + run.length - 1);
+  }
+  extent.first_line = first;
   auto& begin = extent.up > 0 ? lowest_ : highest_;
   auto& end = extent.up > 0 ? highest_ : lowest_;
-  begin.assign (static_cast<std::size_t> (lines), none);
-  end.assign (static_cast<std::size_t> (lines), none);
+  begin.assign (last - first + 1, none);
+  end.assign (last - first + 1, none);
   for (const PointRun& run : cluster.runs) {
-    const std::uint32_t u = run.first % width, v = run.first / width;
     if (along_row) {
-      begin[v] = std::min (begin[v], run.first);
-      end[v] = run.first + run.length - 1;
+      const std::uint32_t line = run.first / width - first;
+      begin[line] = std::min (begin[line], run.first);
+      end[line] = run.first + run.length - 1;
       continue;
     }
+    const std::uint32_t line = run.first % width - first;
     for (std::uint32_t k = 0; k < run.length; ++k) {
-      begin[u + k] = std::min (begin[u + k], run.first + k);
-      end[u + k] = run.first + k;
+      begin[line + k] = std::min (begin[line + k], run.first + k);
+      end[line + k] = run.first + k;
     }
   }
-  const auto first = std::find_if (lowest_.cbegin(), lowest_.cend(), isThere);
-  const auto last = std::find_if (lowest_.crbegin(), lowest_.crend(), isThere);
-  extent.lowest = {*first, *last};
-  extent.lines = static_cast<std::size_t> (last.base() - first);
+  extent.lowest = {lowest_.front(), lowest_.back()};
+  extent.lines = lowest_.size();
 }
 
 /** The next point of another cluster below the lowest one. */

@@ -89,6 +89,7 @@ private:
   /** \brief Of a cluster. */
   struct Extent {
     std::ptrdiff_t up = 0; // to the next point of a line
+    std::size_t first_line = 0;
     std::size_t lines = 0;
     std::array<std::uint32_t, 2> lowest{};
   };
@@ -108,7 +109,7 @@ private:
   OrganizedPoints points_;
   std::vector<std::uint32_t> owner_; // of each point: its cluster, from 1 on, or 0
   std::vector<Extent> extents_;
-  std::vector<std::uint32_t> lowest_, highest_; // points of a cluster in each line
+  std::vector<std::uint32_t> lowest_, highest_; // points in each line of a cluster
   std::vector<OcclusionStep> steps_;
 };
 
