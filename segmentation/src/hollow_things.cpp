@@ -11,8 +11,7 @@ namespace rgbd_planes {
 
 namespace {
 
-using Eigen::Vector3f;
-using Map = Eigen::Map<const Vector3f>;
+using Eigen::Vector2f;
 
 /** Rims are in so many lines of the image. */
 constexpr std::ptrdiff_t min_lines = 5;
@@ -73,7 +72,8 @@ HollowThings::isHollow (Steps first, Steps last)
   while (last != first && !isClose (*(last - 1)))
     --last;
   return last - first >= min_lines &&
-         std::fabs (medianRim (first, last) - medianTop (first, last)) <= max_tilt &&
+         std::fabs (medianHeight (first, last, &OcclusionStep::edge) -
+                    medianHeight (first, last, &OcclusionStep::highest)) <= max_tilt &&
          (isRim (first, last) || areWalls (first, last));
 }
 
@@ -96,15 +96,17 @@ bool
 HollowThings::areWalls (Steps first, Steps last)
 {
   const auto thicknessOf = [&] (const OcclusionStep& step) {
-    const Map edge (points_[step.edge]);
+    const float* edge = points_[step.edge];
+    const Vector2f place = support_->project (edge);
     float sum = 0.f, count = 1.f;
     occlusions_.forEachBelow (step, [&] (std::uint32_t i) {
-      sum += alongSupport (edge - Map (points_[i])).norm();
+      sum += (support_->project (points_[i]) - place).norm();
       ++count;
     });
     // A pixel of a top may be lost.
-    return sum / count + pixel_angle_ * edge.squaredNorm() /
-                             std::fabs (support_->plane.normal.dot (edge));
+    const Eigen::Map<const Eigen::Vector3f> ray (edge);
+    return sum / count + pixel_angle_ * ray.squaredNorm() /
+                             std::fabs (support_->plane.normal.dot (ray));
   };
   const auto areMostOf = [&] (std::size_t cluster) {
     return static_cast<float> (last - first) >=
@@ -119,35 +121,30 @@ bool
 HollowThings::isFoot (Steps first, Steps last)
 {
   const auto ends = occlusions_.lowestAtEnds (first->behind);
-  const Map left (points_[ends[0]]), right (points_[ends[1]]);
-  const Vector3f center = 0.5f * (left + right), across = alongSupport (right - left);
+  const Vector2f left = support_->project (points_[ends[0]]);
+  const Vector2f right = support_->project (points_[ends[1]]);
+  const Vector2f center = 0.5f * (left + right), across = right - left;
   const float radius = 0.5f * across.norm();
-  Vector3f away = support_->plane.normal.cross (across).normalized();
+  Vector2f away = Vector2f (-across.y(), across.x()).normalized();
   away *= away.dot (center) > 0.f ? 1.f : -1.f;
   const auto bulgeOf = [&] (const OcclusionStep& step) {
-    return away.dot (Map (points_[step.lowest]) - center);
+    return away.dot (support_->project (points_[step.lowest]) - center);
   };
   const auto distanceOf = [&] (const OcclusionStep& step) {
-    return alongSupport (Map (points_[step.edge]) - center).norm();
+    return (support_->project (points_[step.edge]) - center).norm();
   };
-  const float top = medianTop (first, last);
+  const float top = medianHeight (first, last, &OcclusionStep::highest);
   return std::fabs (heightOf (ends[0]) - top) <= max_tilt &&
          std::fabs (heightOf (ends[1]) - top) <= max_tilt &&
          median (first, last, bulgeOf) >= min_bulge * radius &&
          median (first, last, distanceOf) <= radius &&
-         medianRim (first, last) <= top + max_tilt;
+         medianHeight (first, last, &OcclusionStep::edge) <= top + max_tilt;
 }
 
 float
 HollowThings::heightOf (std::uint32_t point) const
 {
   return support_->plane.distance (points_[point]);
-}
-
-Vector3f
-HollowThings::alongSupport (const Vector3f& way) const
-{
-  return way - support_->plane.normal * support_->plane.normal.dot (way);
 }
 
 template <typename Number>
@@ -162,20 +159,13 @@ HollowThings::median (Steps first, Steps last, const Number& number)
   return *middle;
 }
 
-/** The height of what is in front. */
 float
-HollowThings::medianRim (Steps first, Steps last)
+HollowThings::medianHeight (Steps first,
+                            Steps last,
+                            std::uint32_t OcclusionStep::*point)
 {
   return median (
-      first, last, [&] (const OcclusionStep& step) { return heightOf (step.edge); });
-}
-
-/** The height of what is behind. */
-float
-HollowThings::medianTop (Steps first, Steps last)
-{
-  return median (
-      first, last, [&] (const OcclusionStep& step) { return heightOf (step.highest); });
+      first, last, [&] (const OcclusionStep& step) { return heightOf (step.*point); });
 }
 
 /** What was joined is where the first of its clusters is. */

@@ -138,7 +138,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
     linkRow (
         row, row_above, limit, has_above_.data(), to_left_.data(), to_above_.data());
     findRunBits (&place_[first],
-                 &place_[next (first, -points_.width)],
+                 &place_[nextPixel (points_, first, -points_.width)],
                  outside,
                  to_left_.data(),
                  to_above_.data(),
@@ -243,8 +243,8 @@ ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
   const std::uint32_t stop = step == -1 ? run.first + 1 : end;
   std::size_t count = 0;
   for (std::uint32_t k = first; k < stop; ++k) {
-    std::uint32_t last = k, i = next (k, step);
-    for (; i != last && !isMeasured (points_[i]); i = next (i, step))
+    std::uint32_t last = k, i = nextPixel (points_, k, step);
+    for (; i != last && !isMeasured (points_[i]); i = nextPixel (points_, i, step))
       last = i;
     count += i == last;
   }

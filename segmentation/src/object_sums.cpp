@@ -163,8 +163,8 @@ ObjectClusters::visitMargin (const PointRun& run, const Visit& visit) const
 {
   constexpr std::uint32_t at_once = 8;
   const std::uint8_t* own = &place_[run.first];
-  const std::uint8_t* up = &place_[next (run.first, -points_.width)];
-  const std::uint8_t* down = &place_[next (run.first, points_.width)];
+  const std::uint8_t* up = &place_[nextPixel (points_, run.first, -points_.width)];
+  const std::uint8_t* down = &place_[nextPixel (points_, run.first, points_.width)];
   for (std::uint32_t k = 0; k < run.length; ++k) {
     while (k > 0 && k + at_once < run.length &&
            std::memcmp (own + k, up + k, at_once) == 0 &&
@@ -191,7 +191,7 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
   visitMargin (run, [&] (std::uint32_t i) {
     bool leaks = false, is_at_background = false;
     const auto lookAt = [&] (std::ptrdiff_t step_to) {
-      const std::uint32_t j = next (i, step_to);
+      const std::uint32_t j = nextPixel (points_, i, step_to);
       if ((isOutside (j) || is_background_[j]) && limit.allows (points_[i], points_[j]))
         (is_background_[j] ? is_at_background : leaks) = true;
     };
@@ -203,9 +203,9 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
       lookAt (1);
     sums.leaks += leaks;
     sums.at_background += is_at_background;
-    std::uint32_t last = i, k = next (i, step);
+    std::uint32_t last = i, k = nextPixel (points_, i, step);
     for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
-         k = next (k, step))
+         k = nextPixel (points_, k, step))
       last = k;
     if (k == last || place_[k] == place_[i])
       return;
@@ -223,7 +223,7 @@ ObjectClusters::stepUpwards (std::uint32_t i) const
   // By how much it grows with a step; 0 where no pixel beside is measured.
   const auto rise = [&] (std::ptrdiff_t step) {
     for (const int side : {1, -1}) {
-      const std::uint32_t k = next (i, side * step);
+      const std::uint32_t k = nextPixel (points_, i, side * step);
       if (k != i && isMeasured (points_[k]))
         return static_cast<float> (side) * (elevationOf (k) - elevation);
     }
@@ -240,17 +240,6 @@ ObjectClusters::elevationOf (std::uint32_t i) const
 {
   const Eigen::Map<const Eigen::Vector3f> p (points_[i]);
   return bases_.back()->plane.normal.dot (p) / p.norm();
-}
-
-/** The pixel itself at the border of the image. */
-std::uint32_t
-ObjectClusters::next (std::uint32_t i, std::ptrdiff_t step) const
-{
-  const bool has_next = step == points_.width    ? i + width_ < points_.size()
-                        : step == -points_.width ? i >= width_
-                        : step > 0               ? i % width_ + 1 < width_
-                                                 : i % width_ > 0;
-  return has_next ? static_cast<std::uint32_t> (i + step) : i;
 }
 
 /** Sides that are seen so flatly that each row or column of their pixels is on its own are

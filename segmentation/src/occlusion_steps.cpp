@@ -112,7 +112,7 @@ OcclusionSteps::findFront (OcclusionStep& step) const
   const auto most = static_cast<std::size_t> (points_.width / ways);
   std::uint32_t i = step.lowest;
   for (step.skipped = 0; step.skipped < most; ++step.skipped) {
-    const std::uint32_t below = neighbor (i, -up);
+    const std::uint32_t below = nextPixel (points_, i, -up);
     if (below == i)
       return false;
     i = below;
@@ -136,25 +136,13 @@ OcclusionSteps::rangeFrom (std::uint32_t i, std::ptrdiff_t step, bool farthest) 
   float range = squaredRange (points_[i]);
   std::uint32_t k = i;
   for (int n = 1; n < count; ++n) {
-    k = neighbor (k, step);
+    k = nextPixel (points_, k, step);
     if (owner_[k] != owner_[i])
       break;
     const float next = squaredRange (points_[k]);
     range = farthest ? std::max (range, next) : std::min (range, next);
   }
   return std::sqrt (range);
-}
-
-/** The pixel itself at the border of the image. */
-std::uint32_t
-OcclusionSteps::neighbor (std::uint32_t i, std::ptrdiff_t step) const
-{
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const bool is_inside = step == 1    ? i % width + 1 < width
-                         : step == -1 ? i % width > 0
-                         : step > 0   ? i + width < points_.size()
-                                      : i >= width;
-  return is_inside ? static_cast<std::uint32_t> (i + step) : i;
 }
 
 std::size_t

@@ -13,6 +13,18 @@ namespace rgbd_planes {
 // Random numbers are drawn in braces, which have an order, never in two arguments of a call.
 using Eigen::Vector3f;
 
+namespace {
+
+Vector3f
+sizeBetween (const Vector3f& low, const Vector3f& high, Random& random)
+{
+  return Vector3f{random.uniform (low.x(), high.x()),
+                  random.uniform (low.y(), high.y()),
+                  random.uniform (low.z(), high.z())};
+}
+
+} // namespace
+
 Scene
 tableSingle (Random& random)
 {
@@ -22,9 +34,8 @@ tableSingle (Random& random)
   const auto top = addTable (scene,
                              poseAt ({1.05f, 0.f, 0.f, random.uniform (-0.5f, 0.5f)}),
                              {0.7f, 1.2f, height});
-  const Vector3f size{random.uniform (0.07f, 0.1f),
-                      random.uniform (0.12f, 0.2f),
-                      random.uniform (0.15f, 0.25f)};
+  const Vector3f size =
+      sizeBetween ({0.07f, 0.12f, 0.15f}, {0.1f, 0.2f, 0.25f}, random);
   const auto spot = poseAt ({random.uniform (-0.15f, 0.05f),
                              random.uniform (-0.15f, 0.15f),
                              0.f,
@@ -72,9 +83,8 @@ worktop (Random& random)
   std::uint32_t object = 0;
   float y = corner.y();
   for (const float gap : {0.f, 0.f, 0.005f, 0.01f, 0.02f}) {
-    const Vector3f thing{random.uniform (0.06f, 0.16f),
-                         random.uniform (0.06f, 0.2f),
-                         random.uniform (0.05f, 0.28f)};
+    const Vector3f thing =
+        sizeBetween ({0.06f, 0.06f, 0.05f}, {0.16f, 0.2f, 0.28f}, random);
     const float x = corner.x() - gap - 0.5f * thing.x();
     scene.addBox (poseAt ({x, y - 0.5f * thing.y(), size.z(), 0.f}),
                   thing,
@@ -96,22 +106,6 @@ worktop (Random& random)
 }
 
 namespace {
-
-Vector3f
-openBox (Random& random)
-{
-  return Vector3f{random.uniform (0.12f, 0.3f),
-                  random.uniform (0.1f, 0.2f),
-                  random.uniform (0.05f, 0.15f)};
-}
-
-Vector3f
-solidBox (Random& random)
-{
-  return Vector3f{random.uniform (0.04f, 0.1f),
-                  random.uniform (0.04f, 0.1f),
-                  random.uniform (0.05f, 0.2f)};
-}
 
 Vessel
 bowl (Random& random)
@@ -158,7 +152,8 @@ crockery (Random& random)
   };
   std::uint32_t object = 0;
   for (int i = 0; i < 2; ++i) {
-    const Vector3f box = openBox (random);
+    const Vector3f box =
+        sizeBetween ({0.12f, 0.1f, 0.05f}, {0.3f, 0.2f, 0.15f}, random);
     const auto pose = poseFor (0.5f * box.head<2>().norm());
     scene.addOpenBox (pose, box, 0.005f, {strongColor (random), ++object});
   }
@@ -168,7 +163,8 @@ crockery (Random& random)
     scene.addVessel (pose, vessel, {strongColor (random), ++object});
   }
   for (int i = 0; i < 3; ++i) {
-    const Vector3f box = solidBox (random);
+    const Vector3f box =
+        sizeBetween ({0.04f, 0.04f, 0.05f}, {0.1f, 0.1f, 0.2f}, random);
     const auto pose = poseFor (0.5f * box.head<2>().norm());
     scene.addBox (pose, box, {strongColor (random), ++object});
   }

@@ -22,19 +22,6 @@ using plane_clouds::Surface;
 using synthetic::angleDegrees;
 using Segmentation = plane_clouds::Ours;
 
-inline const std::vector<Surface>&
-roomCorner ()
-{
-  return plane_clouds::corner();
-}
-
-/** Segments the input that \a segmentation was given. */
-inline void
-run (Segmentation& segmentation, Result& result)
-{
-  segment (segmentation, result);
-}
-
 inline Result
 segment (const Cloud::ConstPtr& cloud, unsigned min_inliers = 1000)
 {

@@ -3,10 +3,9 @@
 
 #include "furniture.h"
 #include "kinect.h"
+#include "plane_clouds.h"
 #include "renderer.h"
 
-#include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <gtest/gtest.h>
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace {
@@ -79,7 +77,7 @@ find (const Scene& scene, unsigned seed = 1)
   Random random (seed), camera_random (seed);
   const auto depth =
       pcl::rgbd_planes::measureWithKinect (image, camera, random, camera_random);
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (
+  const auto cloud = pcl::make_shared<plane_clouds::Cloud> (
       static_cast<std::uint32_t> (camera.width),
       static_cast<std::uint32_t> (camera.height));
   Found found;
@@ -97,23 +95,15 @@ find (const Scene& scene, unsigned seed = 1)
   }
   cloud->is_dense = false;
 
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setInputCloud (cloud);
-  estimation.compute (*normals);
-  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
-      segmentation;
-  segmentation.setInputCloud (cloud);
-  segmentation.setInputNormals (normals);
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers;
-  segmentation.segment (models, inliers);
+  plane_clouds::Ours segmentation;
+  plane_clouds::Result planes;
+  plane_clouds::segment (segmentation, cloud, planes);
   pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction;
   extraction.setInputCloud (cloud);
   extraction.setCameraToBase (scene.camera_to_base);
   extraction.setPlaneHeights (0.5, 1.2);
   std::vector<pcl::SupportedObject> objects;
-  extraction.extract (models, inliers, objects);
+  extraction.extract (planes.models, planes.inliers, objects);
   for (const auto& found_object : objects) {
     found.objects.emplace_back();
     for (const auto i : found_object.indices.indices)

@@ -16,7 +16,7 @@ using namespace room_corner;
 
 TEST (NormalSpacePlaneInterface, OutputsAgreeWithEachOther)
 {
-  Scene scene = render (roomCorner(), 320, 240, kinectSigma);
+  Scene scene = render (corner(), 320, 240, kinectSigma);
   scene.cloud->header.frame_id = "camera";
   scene.cloud->header.stamp = 77;
   const Result result = segment (scene.cloud, 250);
@@ -52,13 +52,13 @@ TEST (NormalSpacePlaneInterface, OutputsAgreeWithEachOther)
 
 TEST (NormalSpacePlaneInterface, OutputsOfTheFrameBeforeAreReplaced)
 {
-  const Scene corner = render (roomCorner(), 320, 240);
+  const Scene large = render (corner(), 320, 240);
   const std::vector<Surface> wall{tiltedPlane (1.f, 0.f, 0.f)};
   const Scene small = render (wall, 160, 120);
   Segmentation segmentation;
   segmentation.setMinInliers (200);
   Result result;
-  segment (segmentation, corner.cloud, result);
+  segment (segmentation, large.cloud, result);
   segment (segmentation, small.cloud, result);
   ASSERT_EQ (result.labels.size(), small.cloud->size());
   expectPlanes (small, wall, result, 0.05f, 0.0005f, 0.01);
@@ -81,7 +81,7 @@ TEST (NormalSpacePlaneInterface, OutputsOfTheFrameBeforeAreReplaced)
 
 TEST (NormalSpacePlaneInterface, IndicesLimitTheSearch)
 {
-  const Scene scene = render (roomCorner(), 320, 240);
+  const Scene scene = render (corner(), 320, 240);
   Segmentation segmentation;
   segmentation.setMinInliers (250);
   auto indices = pcl::make_shared<pcl::Indices>();
@@ -92,7 +92,7 @@ TEST (NormalSpacePlaneInterface, IndicesLimitTheSearch)
   Result result;
   segment (segmentation, scene.cloud, result);
   ASSERT_EQ (result.models.size(), 1u);
-  EXPECT_LE (angleDegrees (result.normal (0), roomCorner()[1].normal), 0.05f);
+  EXPECT_LE (angleDegrees (result.normal (0), corner()[1].normal), 0.05f);
   for (std::size_t i = 0; i < scene.surface.size(); ++i)
     if (scene.surface[i] != 1) {
       ASSERT_EQ (result.labels[i].label, Segmentation::unlabelled);
@@ -100,19 +100,19 @@ TEST (NormalSpacePlaneInterface, IndicesLimitTheSearch)
 
   segmentation.setIndices (pcl::IndicesPtr()); // the whole cloud again
   segment (segmentation, scene.cloud, result);
-  EXPECT_EQ (result.models.size(), roomCorner().size());
+  EXPECT_EQ (result.models.size(), corner().size());
 }
 
 TEST (NormalSpacePlaneInterface, BadInputGivesAnErrorAndEmptyOutputs)
 {
-  const Scene scene = render (roomCorner(), 64, 48);
+  const Scene scene = render (corner(), 64, 48);
   const auto isRefused = [&] (Segmentation& segmentation) {
     Result result;
     result.models.resize (2);
     result.inliers.resize (2);
     result.centroids.resize (2);
     result.labels.resize (4u, 4u);
-    run (segmentation, result);
+    segment (segmentation, result);
     return result.models.empty() && result.inliers.empty() &&
            result.centroids.empty() && result.labels.empty();
   };
@@ -137,7 +137,7 @@ TEST (NormalSpacePlaneInterface, BadInputGivesAnErrorAndEmptyOutputs)
 
 TEST (NormalSpacePlaneInterface, OddNumbersSpoilNothing)
 {
-  const Scene scene = render (roomCorner(), 320, 240);
+  const Scene scene = render (corner(), 320, 240);
   auto normals = estimateNormals (scene.cloud);
   for (std::size_t i = 0; i < scene.cloud->size(); i += 50) {
     const float huge = i % 100 ? 3e38f : 1e-42f;
@@ -153,7 +153,7 @@ TEST (NormalSpacePlaneInterface, OddNumbersSpoilNothing)
     Result result;
     segmentation.segment (result.models, result.inliers);
     ASSERT_EQ (result.models.size(), 3u);
-    for (const auto& surface : roomCorner()) {
+    for (const auto& surface : corner()) {
       float nearest = 90.f;
       for (std::size_t k = 0; k < 3; ++k)
         nearest = std::min (nearest, angleDegrees (result.normal (k), surface.normal));

@@ -20,20 +20,19 @@ using namespace room_corner;
 
 TEST (NormalSpacePlanes, FindsTheThreePlanesOfARoomCorner)
 {
-  const Scene ideal = render (roomCorner());
-  expectPlanes (ideal, roomCorner(), segment (ideal.cloud), 0.05f, 0.0005f, 0.01);
-  const Scene noisy = render (roomCorner(), 640, 480, kinectSigma);
-  expectPlanes (noisy, roomCorner(), segment (noisy.cloud), 0.3f, 0.005f, 0.03);
+  const Scene ideal = render (corner());
+  expectPlanes (ideal, corner(), segment (ideal.cloud), 0.05f, 0.0005f, 0.01);
+  const Scene noisy = render (corner(), 640, 480, kinectSigma);
+  expectPlanes (noisy, corner(), segment (noisy.cloud), 0.3f, 0.005f, 0.03);
 }
 
 TEST (NormalSpacePlanes, WorksAtEveryResolution)
 {
   for (const int divisor : {2, 4}) {
-    const Scene scene =
-        render (roomCorner(), 640 / divisor, 480 / divisor, kinectSigma);
+    const Scene scene = render (corner(), 640 / divisor, 480 / divisor, kinectSigma);
     const auto min_inliers = static_cast<unsigned> (1000 / (divisor * divisor));
     expectPlanes (
-        scene, roomCorner(), segment (scene.cloud, min_inliers), 0.5f, 0.01f, 0.05);
+        scene, corner(), segment (scene.cloud, min_inliers), 0.5f, 0.01f, 0.05);
   }
 }
 
@@ -64,7 +63,7 @@ TEST (NormalSpacePlanes, UnconnectedPartsOfAPlaneAreOneCluster)
 
 TEST (NormalSpacePlanes, HolesBelongToNoPlane)
 {
-  Scene scene = render (roomCorner());
+  Scene scene = render (corner());
   std::mt19937 generator (2);
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)
     if (generator() % 3 == 0)
@@ -75,14 +74,14 @@ TEST (NormalSpacePlanes, HolesBelongToNoPlane)
       ASSERT_EQ (result.labels[i].label, Segmentation::unlabelled);
       scene.surface[i] = -1;
     }
-  expectPlanes (scene, roomCorner(), result, 0.05f, 0.0005f, 0.01);
+  expectPlanes (scene, corner(), result, 0.05f, 0.0005f, 0.01);
 }
 
 TEST (NormalSpacePlanes, NothingToFindIsNoError)
 {
   auto empty = pcl::make_shared<Cloud> (64, 48, pcl::PointXYZ (0.f, 0.f, 0.f));
   EXPECT_TRUE (segment (empty).models.empty());
-  const Scene scene = render (roomCorner(), 64, 48);
+  const Scene scene = render (corner(), 64, 48);
   const Result result = segment (scene.cloud, 64 * 48 + 1);
   EXPECT_TRUE (result.models.empty());
   for (const auto& label : result.labels)
@@ -91,7 +90,7 @@ TEST (NormalSpacePlanes, NothingToFindIsNoError)
 
 TEST (NormalSpacePlanes, TakesTheNormalsOfOtherClasses)
 {
-  const Scene scene = render (roomCorner());
+  const Scene scene = render (corner());
   auto normals = pcl::make_shared<Normals>();
   pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setNormalEstimationMethod (estimation.AVERAGE_3D_GRADIENT);
@@ -101,8 +100,8 @@ TEST (NormalSpacePlanes, TakesTheNormalsOfOtherClasses)
   segmentation.setInputCloud (scene.cloud);
   segmentation.setInputNormals (normals);
   Result result;
-  run (segmentation, result);
-  expectPlanes (scene, roomCorner(), result, 0.1f, 0.001f, 0.02);
+  segment (segmentation, result);
+  expectPlanes (scene, corner(), result, 0.1f, 0.001f, 0.02);
 }
 
 /** The largest plane of a table-top recording is the table of its hand-made labels. */

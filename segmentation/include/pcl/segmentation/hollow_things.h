@@ -60,18 +60,12 @@ private:
   float
   heightOf (std::uint32_t point) const;
 
-  Eigen::Vector3f
-  alongSupport (const Eigen::Vector3f& way) const;
-
   template <typename Number>
   float
   median (Steps first, Steps last, const Number& number);
 
   float
-  medianRim (Steps first, Steps last);
-
-  float
-  medianTop (Steps first, Steps last);
+  medianHeight (Steps first, Steps last, std::uint32_t OcclusionStep::*point);
 
   void
   collect (const std::vector<ObjectCluster>& clusters);

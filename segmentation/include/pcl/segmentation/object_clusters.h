@@ -18,6 +18,19 @@ namespace rgbd_planes {
 
 struct LinkLimit;
 
+/** \brief The pixel next to \a i, \a step further along its row (1 or -1) or column (the width of
+ * the image or less that); \a i itself at the border of the image. */
+inline std::uint32_t
+nextPixel (const OrganizedPoints& points, std::uint32_t i, std::ptrdiff_t step)
+{
+  const auto width = static_cast<std::uint32_t> (points.width);
+  const bool has_next = step == points.width    ? i + width < points.size()
+                        : step == -points.width ? i >= width
+                        : step > 0              ? i % width + 1 < width
+                                                : i % width > 0;
+  return has_next ? static_cast<std::uint32_t> (i + step) : i;
+}
+
 /** \brief Points that may be of one object. */
 struct ObjectCluster {
   std::vector<PointRun> runs; /**< in ascending order */
@@ -170,9 +183,6 @@ private:
 
   float
   elevationOf (std::uint32_t i) const;
-
-  std::uint32_t
-  next (std::uint32_t i, std::ptrdiff_t step) const;
 
   bool
   isLarge (const Sums& sums) const;

@@ -76,8 +76,8 @@ public:
     const std::ptrdiff_t down = -extents_[step.behind].up;
     std::size_t skipped = 0;
     std::uint32_t i = step.edge;
-    for (auto next = neighbor (i, down); next != i && skipped <= maxGap();
-         next = neighbor (i, down)) {
+    for (auto next = nextPixel (points_, i, down); next != i && skipped <= maxGap();
+         next = nextPixel (points_, i, down)) {
       i = next;
       skipped = owner_[i] == owner_[step.edge] ? 0 : skipped + 1;
       if (skipped == 0)
@@ -99,9 +99,6 @@ private:
 
   bool
   findFront (OcclusionStep& step) const;
-
-  std::uint32_t
-  neighbor (std::uint32_t i, std::ptrdiff_t step) const;
 
   float
   rangeFrom (std::uint32_t i, std::ptrdiff_t step, bool farthest) const;
