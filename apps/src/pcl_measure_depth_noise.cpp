@@ -24,8 +24,9 @@ const char usage[] =
 Measures the noise of a depth camera on frames of any indoor scene, by DepthNoiseEstimation:
 all inputs are of one camera. Prints what small blocks of the image leave of planes at each
 range and the noise that fits it, twice as large for the sake of large surfaces, as the option
---depth-noise of the other applications takes it; append ,2.5 for a stereo camera. Surfaces
-should be seen at all ranges that matter; some ten frames are enough.
+--depth-noise of the other applications takes it. The third number says how many times as far
+as with a Kinect v1 normals scatter: 1, or 2 to 3 for stereo cameras. Surfaces should be seen at
+all ranges that matter; some ten frames are enough.
 
   pcl_measure_depth_noise recordings/
 )";
@@ -53,7 +54,8 @@ noiseTable (const pcl::DepthNoiseEstimation& estimation)
           << level.blocks << std::setw (10) << 1000.f * level.sigma << std::setw (20)
           << 1000.f * noise.sigma (level.range * level.range) << '\n';
   table << std::setprecision (5) << "--depth-noise " << noise.constant << ','
-        << noise.quadratic << '\n';
+        << noise.quadratic << ',' << std::setprecision (1) << noise.normal_scatter
+        << '\n';
   return table.str();
 }
 
@@ -63,6 +65,7 @@ noiseJson (const pcl::DepthNoiseEstimation& estimation)
   const DepthNoise noise = estimate (estimation);
   nlohmann::ordered_json json = {{"constant", noise.constant},
                                  {"quadratic", noise.quadratic},
+                                 {"normal_scatter", noise.normal_scatter},
                                  {"levels", nlohmann::ordered_json::array()}};
   for (const auto& level : estimation.getLevels())
     json["levels"].push_back (

@@ -33,12 +33,14 @@ TEST_F (MeasureDepthNoise, OfASimulatedKinect)
     EXPECT_NEAR (noise["constant"], 0.001, 0.001);
     EXPECT_NEAR (noise["quadratic"], 0.002, 0.0004);
     EXPECT_GE (noise["levels"].size(), 5u);
-    char option[40];
+    EXPECT_NEAR (noise["normal_scatter"], 1., 0.3);
+    char option[50];
     std::snprintf (option,
                    sizeof (option),
-                   "\n--depth-noise %.5f,%.5f\n",
+                   "\n--depth-noise %.5f,%.5f,%.1f\n",
                    noise["constant"].get<double>(),
-                   noise["quadratic"].get<double>());
+                   noise["quadratic"].get<double>(),
+                   noise["normal_scatter"].get<double>());
     EXPECT_NE (outcome.out.find (option), std::string::npos) << outcome.out;
   }
 }

@@ -82,6 +82,7 @@ TEST (DepthNoiseEstimation, TwiceTheDeviationOfPixels)
         EXPECT_NEAR (noise.sigma (range * range) / truth.sigma (range * range), 2., 0.3)
             << truth.constant << ' ' << truth.quadratic << " at " << range;
       EXPECT_EQ (noise.max_range, INFINITY);
+      EXPECT_EQ (noise.normal_scatter, 1.f) << "pixels share no errors";
       float last = 0.f;
       for (const auto& level : estimation.getLevels()) {
         EXPECT_GT (level.range, last);
@@ -104,6 +105,7 @@ TEST (DepthNoiseEstimation, ASimulatedKinectIsTheFirstPreset)
   for (const float range : {1.f, 2.f, 3.f, 5.f})
     EXPECT_NEAR (noise.sigma (range * range) / preset.sigma (range * range), 1., 0.25)
         << range;
+  EXPECT_NEAR (noise.normal_scatter, 1., 0.2);
 }
 
 TEST (DepthNoiseEstimation, WithoutNoiseWhatNumbersAllow)

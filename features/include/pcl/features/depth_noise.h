@@ -21,10 +21,9 @@ namespace rgbd_planes {
  * frame that has more noise as having it (noiseIn()). Figures of your own are taken as they are.
  *
  * Of stereo cameras, the quadratic part is the error of disparity by focal length and
- * baseline, 0.1 px / (640 px * 0.05 m) = 3.1 mm: take what is found for yours, or what
- * pcl::DepthNoiseEstimation measures, for an error
- * twice as large as said makes objects of bare tables, and the normal_scatter of
- * activeStereo (). For depth without noise, as simulators
+ * baseline, 0.1 px / (640 px * 0.05 m) = 3.1 mm: take what is found for yours with the
+ * normal_scatter of activeStereo (), or what pcl::DepthNoiseEstimation measures, for an error
+ * twice as large as said makes objects of bare tables. For depth without noise, as simulators
  * give it, and in whole millimetres, take 0.5 mm + 0.5 mm z^2. Below 0.1 mm, single precision
  * is no longer enough.
  */

@@ -33,6 +33,11 @@ namespace pcl {
  * twice that, for larger surfaces come out bent by as much again: on recordings of Kinects,
  * Xtions and a RealSense this gives what DepthNoise::kinectV1 () and activeStereo () have.
  *
+ * Where pixels share their errors, planes of blocks turn by more than those errors would make
+ * them if each pixel had its own. The first quartile of turns between a block and the one
+ * below, in standard deviations of depth, tells how normals scatter, as so many times that of a
+ * Kinect v1. In images of less than 320 columns, blocks are larger, and it is told too small.
+ *
  * \ingroup segmentation
  */
 class PCL_RGBD_PLANES_EXPORTS DepthNoiseEstimation {
@@ -66,6 +71,7 @@ public:
   {
     frames_ = 0;
     blocks_.clear();
+    turns_.clear();
   }
 
   std::size_t
@@ -79,9 +85,7 @@ public:
   getLevels () const;
 
   /** \brief The noise that fits all levels, no less than 0.1 mm + 0.2 mm z^2, with no limit to the
-   * range; false after an error message, and \a noise stays as it is, where there are no levels.
-   * How normals scatter is not measured: with a stereo camera, give it the normal_scatter of
-   * DepthNoise::activeStereo (). */
+   * range; false after an error message, and \a noise stays as it is, where there are no levels. */
   bool
   estimate (rgbd_planes::DepthNoise& noise) const;
 
@@ -98,6 +102,8 @@ private:
   std::size_t frames_ = 0;
   /** By steps of range. */
   std::map<int, Blocks> blocks_;
+  /** Between blocks and those below. */
+  std::vector<float> turns_;
 };
 
 } // namespace pcl
