@@ -27,8 +27,10 @@ errorOfRectangle (const OrganizedPoints& points,
                   std::size_t first,
                   std::size_t side)
 {
+  // Not finite where it is missing: 0 / 0, inf / inf.
   const auto inverseRange = [&points] (std::size_t i) {
-    return 1.f / std::sqrt (squaredRange (points[i]));
+    const float square = squaredRange (points[i]);
+    return std::sqrt (square) / square;
   };
   const std::size_t down = side * static_cast<std::size_t> (points.width);
   const float square = squaredRange (points[first]);

@@ -52,7 +52,7 @@ TangentRowPipeline::lastStage() const
   return parameters_->edge_aware ? plane_stages - 1 : 0;
 }
 
-/** Where a cell has several points, each looks at the planes around, see write. */
+/** Where a cell has several points, each looks at the planes around, see write(). */
 int
 TangentRowPipeline::rowsAround() const
 {

@@ -37,7 +37,7 @@ DepthWarp::findMean (const OrganizedPoints& points,
 {
   int count = 0;
   float x = 0.f, y = 0.f, inverse_depth = 0.f;
-  const float max_squared_range = noise.max_range * noise.max_range;
+  const float max_squared_range = noise.maxSquaredRange();
   for (int v = cell.row * cell_size_; v < (cell.row + 1) * cell_size_; ++v)
     for (int u = cell.column * cell_size_; u < (cell.column + 1) * cell_size_; ++u) {
       const std::size_t i =

@@ -70,14 +70,14 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
   // which come next.
   const auto prefetchNormals = [&] (const PointRun& run) {
     for (std::uint32_t i = run.first; i < run.first + run.length; i += image_.step())
-      hwy::Prefetch (normals.normal + i * normals.stride);
+      hwy::Prefetch (normals[i]);
   };
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     const auto addCell = [&] (const PointRun& part, std::uint32_t i) {
       if (image_.owner[i] != 0)
         return;
       const float* p = points[part.first];
-      const float* normal = normals.normal + part.first * normals.stride;
+      const float* normal = normals[part.first];
       image_.owner[i] = static_cast<std::uint32_t> (k + 1);
       image_.x[i] = p[0];
       image_.y[i] = p[1];

@@ -27,14 +27,14 @@ static_assert (max_reach_px <= ClusterImage::margin, "points lie inside of the i
 constexpr float min_step_rise = 0.3f;
 constexpr float min_step_sigmas = 2.f;
 
-using Places = std::ptrdiff_t[4];
+using Steps = std::ptrdiff_t[4];
 
 /** From a point of \a block to the second one of each pair, in four directions. */
 HWY_INLINE void
 findSteps (const ClusterImage& image,
            std::size_t block,
            float pixel_angle,
-           Places& steps)
+           Steps& steps)
 {
   const auto* owner = &image.owner[block];
   const std::size_t i =
@@ -101,7 +101,7 @@ areAlike (const ClusterImage& image, std::ptrdiff_t i, std::ptrdiff_t step)
 HWY_INLINE Mask
 isCut (const ClusterImage& image,
        std::ptrdiff_t i,
-       const Places& steps,
+       const Steps& steps,
        const DepthNoise& noise)
 {
   Mask cut = hn::MaskFromVec (hn::Zero (Floats()));
@@ -147,7 +147,7 @@ findUncutHere (const ClusterImage& image,
     unsigned uncut = 0;
     bits[k] = {};
     if (owned != 0) {
-      Places steps;
+      Steps steps;
       findSteps (image, block, pixel_angle, steps);
       const auto bitsOfLike = [&] (std::ptrdiff_t step) HWY_ATTR {
         return bitsWhere (block, [&] (std::ptrdiff_t i) HWY_ATTR {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -13,21 +12,21 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Noise tilts small planes of the floor less. */
+/** Noise tilts even small planes of the floor by no more than this. */
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
 constexpr float off_sigmas = 3.f;
-/** The smooth error of depth tilts small parts of a floor, as at the border of the image, by
- * less, and moves them by less. */
+/** The smooth error of depth tilts small parts of a floor, as at the border of the image, by no
+ * more than this, and moves them by no more than that. */
 constexpr float min_cos_bent = 0.9f; // 26 degrees
 constexpr float max_bend_m = 0.03f;
-/** The smooth error of depth bends parts of a floor by less, in the weighted mean. Those
- * with a quarter of the points of the floor are too large for the top of a low thing. */
+/** In the weighted mean, it bends parts of a floor by no more than so many standard deviations.
+ * Those with a quarter of the points of the floor are too large for the top of a low thing. */
 constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
 /** Points of a level that are further from the floor are told from it one by one. */
 constexpr float level_sigmas = 8.f;
-/** Where planes meet in the image, the smooth error of depth is the same on both, and their
- * heights differ by less unless there is a step; standard deviations of depth. */
+/** Where planes meet in the image, the smooth error of depth is the same on both: unless there is
+ * a step, their heights differ by no more than so many standard deviations of depth. */
 constexpr float step_sigmas = 1.5f;
 /** They meet where samples are no more steps of the grid apart. */
 constexpr int max_gap = 3;
@@ -83,7 +82,7 @@ FloorPlane::find (const OrganizedPoints& points,
                                 std::abs (heightAbove (plane, base.data())) / cosine);
     const float nearness = std::max (max_height - off, 0.f);
     const float weight = samples.weight * nearness * nearness;
-    if (weight <= largest_weight)
+    if (!(weight > largest_weight))
       continue;
     found_ = true;
     coefficients_ = plane;
@@ -105,8 +104,7 @@ FloorPlane::sample (const OrganizedPoints& points,
   const auto height = static_cast<std::size_t> (points.height);
   const std::size_t step_u = std::max<std::size_t> (width / 80, 1);
   const std::size_t step_v = std::max<std::size_t> (height / 60, 1);
-  const float farthest =
-      std::min (noise.max_range * noise.max_range, std::numeric_limits<float>::max());
+  const float farthest = noise.maxSquaredRange();
   points_.resize ((width / step_u + 1) * (height / step_v + 1));
   last_in_column_.resize (width / step_u + 1);
   std::size_t count = 0;
@@ -120,9 +118,10 @@ FloorPlane::sample (const OrganizedPoints& points,
                         static_cast<int> (u / step_u),
                         static_cast<int> (v / step_v),
                         1.f / (squared_range * squared_range)};
-      count += static_cast<std::size_t> (planes[i] < planes.coefficients.size()) &
-               static_cast<std::size_t> (squared_range > 0.f) &
-               static_cast<std::size_t> (squared_range <= farthest);
+      count +=
+          static_cast<std::size_t> (planes[i] < planes.coefficients.size()) &
+          static_cast<std::size_t> (squared_range > DepthNoise::min_squared_range) &
+          static_cast<std::size_t> (squared_range <= farthest);
     }
   points_.resize (count);
 }

@@ -38,9 +38,7 @@ HollowThings::compute (const OrganizedPoints& points,
   pixel_angle_ = clustering.pixelAngle();
   const auto count = static_cast<std::uint32_t> (clusters.size());
   is_inside_.assign (count, false);
-  sets_.resize (count);
-  for (std::uint32_t k = 0; k < count; ++k)
-    sets_.add (k);
+  sets_.start (count);
   occlusions_.compute (points, clustering, clusters);
   const auto& steps = occlusions_.steps();
   for (auto first = steps.begin(), last = first; first != steps.end(); first = last) {
@@ -55,7 +53,6 @@ HollowThings::compute (const OrganizedPoints& points,
     sets_.join (static_cast<std::uint32_t> (front),
                 static_cast<std::uint32_t> (behind));
   }
-  occlusions_.finish (clusters);
   collect (clusters);
 }
 

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include "plane_kernels.h"
-
+#include <pcl/features/depth_noise.h>
 #include <pcl/segmentation/point_row.h>
 
 #include <Eigen/Core>

@@ -20,7 +20,7 @@ namespace {
 constexpr float stretch = 3.f;
 constexpr float level_stretch = 1.5f;
 
-/** The width of the image in widths of the widest margin without depth. */
+/** A margin without depth is at most this part of the width of the image. */
 constexpr std::uint32_t margins = 20;
 
 /** Square pixels of a camera differ by no more in their angles along rows and columns. */

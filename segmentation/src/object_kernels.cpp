@@ -11,9 +11,7 @@
 
 #include <pcl/segmentation/support_planes.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -84,11 +82,9 @@ placesOf (const Points& p,
   const V squared_range = squaredLength (p);
   const V noise =
       hn::Mul (set (plane_sigmas), sigmaOf (parameters.noise, squared_range));
-  const float max_range = parameters.noise.max_range;
-  const float farthest =
-      std::min (max_range * max_range, std::numeric_limits<float>::max());
-  Mask is_open = hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
-                          hn::Le (squared_range, set (farthest)));
+  Mask is_open =
+      hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
+               hn::Le (squared_range, set (parameters.noise.maxSquaredRange())));
   auto place = hn::Set (Ints(), 1);
   for (std::size_t number = 0; number < planes.size(); ++number) {
     if (hn::AllFalse (Floats(), is_open))

@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "plane_kernels.h"
-
 #include <pcl/segmentation/object_parameters.h>
 #include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/support_planes.h>

@@ -11,7 +11,6 @@
 #include "row_bits.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 HWY_BEFORE_NAMESPACE();
@@ -67,8 +66,8 @@ struct Heights {
         hn::And (exceeds (point_sigmas), hn::Gt (height, set (parameters.min_height)));
     drop_off =
         hn::And (exceeds (drop_sigmas), hn::Lt (height, set (-parameters.min_drop)));
-    high = hn::And (exceeds (0.5f * window_sigmas),
-                    hn::Gt (height, set (0.25f * parameters.min_height)));
+    high = hn::And (exceeds (high_sigmas),
+                    hn::Gt (height, set (high_part * parameters.min_height)));
   }
 };
 
@@ -99,9 +98,7 @@ classifyRowHere (const PointRow& row,
                  RowLinks& links,
                  FloorSums& columns)
 {
-  const float max_range = parameters.noise.max_range;
-  const V farthest =
-      set (std::min (max_range * max_range, std::numeric_limits<float>::max()));
+  const V farthest = set (parameters.noise.maxSquaredRange());
   for (std::size_t word = 0; word < links.to_left.size(); ++word) {
     std::uint64_t measured = 0, obstacle = 0, drop_off = 0, to_left = 0, to_above = 0;
     const std::size_t first = word * bits_in_word;

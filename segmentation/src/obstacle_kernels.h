@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "plane_kernels.h"
-
 #include <pcl/segmentation/obstacle_clusters.h>
 #include <pcl/segmentation/obstacle_points.h>
 #include <pcl/segmentation/point_row.h>
@@ -17,6 +15,9 @@ namespace rgbd_planes {
 // depth moves their means, though not their noise, as much as that of points.
 constexpr float point_sigmas = 4.5f;
 constexpr float window_sigmas = 2.75f;
+/** A point is of a low obstacle, where there is one, from this part of the least height of an
+ * obstacle on, if it exceeds so many standard deviations. */
+constexpr float high_part = 0.25f, high_sigmas = 0.5f * window_sigmas;
 /** Below the floor: real sensors also measure far depth too long, which bends floors
  * downwards by more than their noise. */
 constexpr float drop_sigmas = 8.f;

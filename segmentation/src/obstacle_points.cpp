@@ -24,6 +24,9 @@ constexpr float part_point_sigmas = 3.f;
 /** Of the 9 of a window. */
 constexpr float enough_samples = 6.f;
 
+/** Points whose normal is further from that of the floor are on something else: 34 degrees. */
+constexpr float min_cos_turned = 0.8253356f;
+
 constexpr float
 square (float x)
 {
@@ -55,8 +58,8 @@ clear (CellRow& cells, std::size_t size)
 inline bool
 isHigh (float height, float variance, const ObstaclePointParameters& parameters)
 {
-  return (height > 0.25f * parameters.min_height) &
-         (height * height > square (0.5f * window_sigmas) * variance);
+  return (height > high_part * parameters.min_height) &
+         (height * height > square (high_sigmas) * variance);
 }
 
 } // namespace
@@ -66,7 +69,6 @@ ObstaclePoints::start (const ObstacleFrame& frame,
                        const ObstaclePointParameters& parameters)
 {
   parameters_ = parameters;
-  min_cos_ = std::cos (parameters.normal_angle);
   width_ = frame.points.width;
   cell_size_ = std::max (width_ / cells_in_row, 1);
   cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
@@ -176,8 +178,9 @@ bool
 ObstaclePoints::isTurned (const ObstacleFrame& frame, std::size_t point) const
 {
   const Eigen::Vector4f& floor = frame.floor.coefficients();
-  const float* normal = frame.normals.normal + point * frame.normals.stride;
-  return floor[0] * normal[0] + floor[1] * normal[1] + floor[2] * normal[2] < min_cos_;
+  const float* normal = frame.normals[point];
+  return floor[0] * normal[0] + floor[1] * normal[1] + floor[2] * normal[2] <
+         min_cos_turned;
 }
 
 void

@@ -15,11 +15,12 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/** The width of the image in widths of what edges lack, */
+// In parts of the width of the image:
+/** The most that an edge lacks depth. */
 constexpr int gaps = 100;
-/** of what may be between two clusters, */
+/** The most that is between two clusters. */
 constexpr int ways = 10;
-/** and of what it is unclear to which of them it belongs. */
+/** Pixels at a step that may belong to either side. */
 constexpr int uncertainties = 160;
 
 bool
@@ -36,7 +37,7 @@ OcclusionSteps::compute (const OrganizedPoints& points,
                          const std::vector<ObjectCluster>& clusters)
 {
   points_ = points;
-  owner_.resize (points.size(), 0);
+  owner_.assign (points.size(), 0);
   for (std::size_t k = 0; k < clusters.size(); ++k)
     for (const PointRun& run : clusters[k].runs)
       std::fill_n (
@@ -60,14 +61,6 @@ OcclusionSteps::compute (const OrganizedPoints& points,
   std::sort (steps_.begin(), steps_.end(), [] (const auto& a, const auto& b) {
     return std::tie (b.front, a.behind, a.line) < std::tie (a.front, b.behind, b.line);
   });
-}
-
-void
-OcclusionSteps::finish (const std::vector<ObjectCluster>& clusters)
-{
-  for (const auto& cluster : clusters)
-    for (const PointRun& run : cluster.runs)
-      std::fill_n (owner_.begin() + run.first, run.length, 0);
 }
 
 /** The lowest and the highest point of the cluster in each of its lines. */

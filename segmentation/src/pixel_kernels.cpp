@@ -9,8 +9,6 @@
 #include "plane_vectors-inl.h"
 #include <hwy/cache_control.h>
 
-#include <algorithm>
-
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -97,13 +95,13 @@ assignPointsHere (const PointBlock& points,
                   float max_sigmas,
                   std::uint32_t* labels)
 {
-  const V farthest =
-      set (std::min (noise.max_range * noise.max_range, max_squared_range));
+  const V farthest = set (noise.maxSquaredRange());
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Points p = load (points, i);
     const V squared_range = squaredLength (p);
-    const Mask measured = hn::And (hn::Gt (squared_range, set (min_squared_range)),
-                                   hn::Le (squared_range, farthest));
+    const Mask measured =
+        hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
+                 hn::Le (squared_range, farthest));
     const V sigma = sigmaOf (noise, squared_range);
     const V range = hn::Sqrt (squared_range);
     Nearest nearest = {p,

@@ -52,8 +52,8 @@ PlaneAssignment::layOutTiles (const PlaneSamples& samples,
   const int last_height = image_height_ - (samples.tiles_v - 1) * side;
   for (int k = 0; k < 4; ++k) {
     TilePixels& pixels = layouts_[static_cast<std::size_t> (k)];
-    pixels.width = k % 2 ? last_width : side;
-    pixels.height = k / 2 ? last_height : side;
+    pixels.width = k % 2 ? last_width : std::min (side, image_width_);
+    pixels.height = k / 2 ? last_height : std::min (side, image_height_);
     pixels.offsets.clear();
     pixels.samples.clear();
     for (int v = 0; v < pixels.height; ++v)
@@ -67,7 +67,7 @@ PlaneAssignment::layOutTiles (const PlaneSamples& samples,
       pixels.samples.push_back (0);
     }
   }
-  const auto pixels = static_cast<std::size_t> (side * side);
+  const std::size_t pixels = layouts_[0].offsets.size(); // the largest
   for (auto* values : {&x_, &y_, &z_})
     values->resize (pixels);
   ones_.assign (pixels, 1.f);
@@ -140,7 +140,7 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
   setEquations (planes);
   labels_.resize (points.size());
   const auto width = static_cast<std::size_t> (points.width);
-  const auto side = static_cast<std::size_t> (layouts_[0].width);
+  const auto side = static_cast<std::size_t> (PlaneSamples::tile_side * samples.step);
   std::size_t tile = 0;
   for (int v = 0; v < samples.tiles_v; ++v)
     for (int u = 0; u < samples.tiles_u; ++u, ++tile) {

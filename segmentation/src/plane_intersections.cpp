@@ -46,7 +46,7 @@ PlaneIntersections::add (std::uint32_t own,
                          const SideCounts& points)
 {
   const auto [a, b] = std::minmax (own, other);
-  std::size_t pair = find (a, b);
+  std::size_t pair = placeOf (a, b);
   if (pair == none) {
     if (a >= last_of_.size())
       last_of_.resize (a + 1, none);

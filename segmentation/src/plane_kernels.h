@@ -25,13 +25,8 @@ equationOf (const Plane& plane)
   return {plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
 }
 
-/** Nearer points have no direction. */
-constexpr float min_squared_range = 1e-12f;
-/** Squares of larger numbers are no floats. */
-constexpr float max_squared_range = 1e18f;
-
-/** Points lie on a plane up to this many standard deviations of depth away along the
- * viewing ray; seen flatter than this cosine, a plane gets no nearer. */
+/** A plane that is seen at a flatter angle than that of this cosine counts as seen at it:
+ * otherwise points far off it would be near. */
 constexpr float min_view_cosine = 0.1f;
 
 /** From the points of \a samples, (0, 0, 0) where there is none, their normals and

@@ -86,12 +86,11 @@ PlaneSamples::compute (const OrganizedPoints& points,
                        float maximum_curvature)
 {
   resize (points.width, points.height);
-  const float farthest =
-      std::min (noise.max_range * noise.max_range, max_squared_range);
+  const float farthest = noise.maxSquaredRange();
   const auto isUsable = [&] (std::size_t pixel) {
     const float square = squaredRange (points[pixel]);
-    return (selected.empty() || selected[pixel]) && square > min_squared_range &&
-           square <= farthest;
+    return (selected.empty() || selected[pixel]) &&
+           square > DepthNoise::min_squared_range && square <= farthest;
   };
   missing_.clear();
   const auto stride = static_cast<std::size_t> (step);
@@ -104,7 +103,7 @@ PlaneSamples::compute (const OrganizedPoints& points,
     for (int u = 0; u < width; ++u, next += stride, below += stride) {
       if (step > 1) { // else the processor reads ahead by itself
         hwy::Prefetch (points[below]);
-        hwy::Prefetch (normals.normal + below * normals.stride);
+        hwy::Prefetch (normals[below]);
       }
       const std::size_t pixel = std::min (next, last);
       if (isUsable (pixel))
@@ -131,7 +130,7 @@ PlaneSamples::copyPixel (const OrganizedPoints& points,
   x[i] = p[0];
   y[i] = p[1];
   z[i] = p[2];
-  const float* normal = normals.normal + pixel * normals.stride;
+  const float* normal = normals[pixel];
   normal_x[i] = normal[0];
   normal_y[i] = normal[1];
   normal_z[i] = normal[2];

@@ -43,9 +43,7 @@ SampleComponents::findPieces (const PlaneSamples& samples, bool connected)
   }
   first_of_tile_.resize (samples.tiles() + 1,
                          static_cast<std::uint32_t> (pieces_.size()));
-  sets_.resize (pieces_.size());
-  for (std::uint32_t k = 0; k < pieces_.size(); ++k)
-    sets_.add (k);
+  sets_.start (pieces_.size());
 }
 
 /** Joins pieces with those in the tiles to the left and above that they touch. */
@@ -78,9 +76,9 @@ SampleComponents::joinNeighbours (const PlaneSamples& samples)
 void
 SampleComponents::joinClusters (const PlaneSamples& samples)
 {
-  places_.assign (samples.size(), nowhere);
+  first_of_cluster_.assign (samples.size(), nowhere);
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-    std::uint32_t& first = places_[pieces_[k].plane];
+    std::uint32_t& first = first_of_cluster_[pieces_[k].plane];
     if (first == nowhere)
       first = k;
     sets_.join (first, k);

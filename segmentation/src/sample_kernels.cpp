@@ -168,8 +168,9 @@ samplesAtPlaneHere (const PlaneSamples& samples,
   forEachVectorFrom (begin, [&] (std::size_t i) {
     const Reach reach = reachOf (pointsAt (samples, i), noise, max_sigmas);
     const V cosine = dot (plane, normalsAt (samples, i));
-    near |= bitsOf (hn::And (hn::Gt (reach.squared_range, set (min_squared_range)),
-                             isWithin (reach, plane)))
+    near |= bitsOf (hn::And (
+                hn::Gt (reach.squared_range, set (DepthNoise::min_squared_range)),
+                isWithin (reach, plane)))
             << (i - begin);
     along |= bitsOf (hn::And (isTrusted (samples, i),
                               hn::Ge (hn::Abs (cosine), set (least_cosine))))

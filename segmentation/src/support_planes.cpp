@@ -14,6 +14,31 @@ namespace rgbd_planes {
 
 namespace {
 
+/** Where a point is with respect to a supporting plane. */
+enum class Level { elsewhere, on_plane, above };
+
+/** How far a plane reaches. */
+enum class Reach { outline, surroundings };
+
+/** Whether \a p lies on a plane, or up to the largest height of an object above it, in
+ * both cases where the plane reaches. */
+Level
+levelOf (const float* p,
+         const SupportPlane& support,
+         Reach reach,
+         const ObjectParameters& parameters)
+{
+  const float height = support.plane.distance (p);
+  const auto& outline =
+      reach == Reach::outline ? support.outline : support.surroundings;
+  if (height > parameters.max_object_height || height < -parameters.max_object_height ||
+      !outline.contains (support.project (p)))
+    return Level::elsewhere;
+  if (mayBeOnPlane (p, support.plane, height, parameters))
+    return Level::on_plane;
+  return height > 0.f ? Level::above : Level::elsewhere;
+}
+
 constexpr std::size_t ransac_points = 300;
 /** Points further from a plane, in standard deviations of depth, do not agree with it. */
 constexpr float ransac_sigmas = 1.5f;

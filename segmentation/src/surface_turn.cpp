@@ -3,10 +3,14 @@
 
 #include "surface_turn.h"
 
+#include <pcl/segmentation/plane_moments.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -14,24 +18,23 @@ namespace rgbd_planes {
 SurfaceTurn
 turnOf (const double (&sums)[22], const Eigen::Vector3f& plane_normal)
 {
-  const double weight = sums[0];
+  PlaneMoments places;
+  std::copy_n (sums, std::size (places.sums), places.sums);
+  const double weight = places.weight();
   if (!(weight > 0.))
     return {};
-  const Eigen::Vector3d place = Eigen::Vector3d (sums[1], sums[2], sums[3]) / weight;
+  const Eigen::Vector3d place = places.mean();
   const Eigen::Vector3d normal =
       Eigen::Vector3d (sums[10], sums[11], sums[12]) / weight;
-  Eigen::Matrix3d places, normals;
-  places << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8],
-      sums[9];
+  Eigen::Matrix3d normals;
   normals << sums[13], sums[14], sums[15], sums[16], sums[17], sums[18], sums[19],
       sums[20], sums[21];
   const Eigen::Vector3d n = plane_normal.cast<double>();
   Eigen::Matrix<double, 2, 3> directions;
   directions.row (0) = n.unitOrthogonal();
   directions.row (1) = n.cross (n.unitOrthogonal());
-  const Eigen::Matrix2d spread = directions *
-                                 (places / weight - place * place.transpose()) *
-                                 directions.transpose();
+  const Eigen::Matrix2d spread =
+      directions * places.covariance() * directions.transpose();
   const Eigen::Matrix2d turning = directions *
                                   (normals / weight - normal * place.transpose()) *
                                   directions.transpose();

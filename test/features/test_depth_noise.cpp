@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -132,6 +133,23 @@ TEST (DepthNoise, FramesMayHaveMoreThanTheLeast)
       2.5f);
   // Its points spread farther, as it says.
   EXPECT_FALSE (DepthNoise::kinectV1Corrected().is_least);
+}
+
+TEST (DepthNoise, MissingPointsSayNothingOfTheNoiseOfAFrame)
+{
+  const float usual = DepthNoise().sigma (1.f);
+  for (const float missing : {0.f,
+                              std::numeric_limits<float>::quiet_NaN(),
+                              std::numeric_limits<float>::infinity()}) {
+    std::vector<float> points = tiltedWall (640, 480, 2.5f);
+    std::mt19937 random (1);
+    for (std::size_t i = 0; i < points.size(); i += 3)
+      if (random() % 3 == 0)
+        std::fill_n (&points[i], 3, missing);
+    EXPECT_NEAR (
+        noiseOf (points, 640, 480, DepthNoise::kinectV1()), 2.5f * usual, 0.15f * usual)
+        << missing;
+  }
 }
 
 TEST (DepthNoise, WhatSaysNothingOfNoiseLeavesTheLeast)

@@ -141,6 +141,23 @@ TEST (FloorPlane, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
   }
 }
 
+TEST (FloorPlane, APointAtTheSensorDoesNotChooseTheFloor)
+{
+  FloorScene scene (only_floor, pose, 320);
+  const Eigen::Vector4f floor (scene.planes[0].values.data());
+  scene.planes.push_back (scene.planes[0]);
+  scene.planes[1].values[3] += 0.04f;
+  // One of the points that are looked at.
+  ASSERT_EQ (scene.cloud->height, 240u);
+  (*scene.cloud) (162, 122).getVector3fMap() << 0.f, 0.f, 1e-10f;
+  (*scene.labels) (162, 122).label = 1;
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (detection.getFloor().isApprox (floor));
+}
+
 TEST (FloorPlane, TheFloorIsFoundInImagesOfFewRows)
 {
   static constexpr std::uint32_t rows = 6; // of 768

@@ -118,6 +118,25 @@ TEST (ObjectInputs, NoAllocationsForFramesLikeThoseBefore)
   }
 }
 
+TEST (ObjectInputs, APoseThatNobodyGaveIsToldOnceInARow)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  const auto warningOf = [&] (Extraction& extraction) {
+    Objects objects;
+    extraction.setInputCloud (view.cloud);
+    testing::internal::CaptureStderr();
+    extraction.extract (view.models, view.inliers, objects);
+    return testing::internal::GetCapturedStderr();
+  };
+  Extraction extraction;
+  EXPECT_NE (warningOf (extraction).find ("setCameraToBase"), std::string::npos);
+  EXPECT_EQ (warningOf (extraction), "");
+  extraction.setCameraToBase (view.camera_to_base);
+  EXPECT_EQ (warningOf (extraction), "");
+  extraction.setPlaneHeights (2., 3.);
+  EXPECT_EQ (warningOf (extraction), "") << "none in sight is at that height";
+}
+
 TEST (ObjectInputs, RefusesBadInput)
 {
   const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});

@@ -157,6 +157,27 @@ TEST (ObstacleInputs, PlanesThatAreNoneDoNoHarm)
   EXPECT_EQ (detect (scene).obstacles.size(), 1u);
 }
 
+TEST (ObstacleInputs, APoseThatNobodyGaveIsToldOnceInARow)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  Detection detection;
+  std::vector<Obstacle> obstacles;
+  const auto warningOf = [&] {
+    testing::internal::CaptureStderr();
+    detection.detect (obstacles);
+    return testing::internal::GetCapturedStderr();
+  };
+  setInput (detection, scene);
+  EXPECT_EQ (warningOf(), "");
+  detection.setCameraToBase (pcl::rgbd_planes::defaultCameraToBase());
+  EXPECT_NE (warningOf().find ("setCameraToBase"), std::string::npos);
+  EXPECT_EQ (warningOf(), "");
+  // Where it was given, there may well be no floor in sight.
+  detection.setCameraToBase (cameraPose (2.f, 0.61f));
+  EXPECT_EQ (warningOf(), "");
+  EXPECT_FALSE (detection.isFloorFound());
+}
+
 TEST (ObstacleInputs, AnyImageSizeWorksAndObjectsCanBeReused)
 {
   Detection detection;

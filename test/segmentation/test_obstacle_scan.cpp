@@ -186,6 +186,17 @@ TEST (ObstacleScan, AScanOfAlmostAWholeTurnHasEachDirectionOnce)
   EXPECT_TRUE (std::isfinite (ranges.back()));
 }
 
+TEST (ObstacleScan, StepsThatNumbersCannotCountAreRefused)
+{
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_min = limits.angle_max = 0.f;
+  limits.angle_increment = 1e-25f;
+  Detection detection;
+  const float usual = detection.getScanLimits().angle_increment;
+  detection.setScanLimits (limits);
+  EXPECT_EQ (detection.getScanLimits().angle_increment, usual);
+}
+
 TEST (ObstacleScan, AScanInStepsOfMoreThanATurnHasOneDirection)
 {
   pcl::rgbd_planes::ScanLimits limits;

@@ -178,6 +178,22 @@ TEST (PlaneInputs, OddSizes)
   }
 }
 
+// The tiles of samples are as long as the longer side needs, but no larger than the image.
+TEST (PlaneInputs, LongStrips)
+{
+  for (const auto& [width, height] : {std::pair{1000000u, 2u}, {2u, 1000000u}}) {
+    Ours segmentation;
+    segmentation.setInputCloud (
+        pcl::make_shared<Cloud> (width, height, pcl::PointXYZ (0.f, 0.f, 1.f)));
+    segmentation.setInputNormals (
+        pcl::make_shared<Normals> (width, height, pcl::Normal (0.f, 0.f, -1.f)));
+    Result result;
+    segment (segmentation, result);
+    ASSERT_EQ (result.inliers.size(), 1u);
+    EXPECT_EQ (result.inliers[0].indices.size(), std::size_t{width} * height);
+  }
+}
+
 TEST (PlaneInputs, NormalsMayBeMissing)
 {
   const Scene scene = render (corner(), 320, 240);

@@ -46,6 +46,8 @@ isEdge (int, int v)
   return v >= 10 && v < 20;
 }
 
+constexpr double max_left = 0.95;
+
 bool
 isLeg (int u, int v)
 {
@@ -71,14 +73,14 @@ bool
 hasStep (const std::vector<SampleError>& samples, std::size_t least = min_side)
 {
   GridLine step;
-  return StepFinder().find (samples, least, step);
+  return StepFinder().find (samples, least, step, max_left);
 }
 
 void
 expectLegsParted (const std::vector<SampleError>& samples)
 {
   GridLine step;
-  ASSERT_TRUE (StepFinder().find (samples, min_side, step));
+  ASSERT_TRUE (StepFinder().find (samples, min_side, step, max_left));
   std::size_t wrong = 0;
   for (const SampleError& sample : samples)
     wrong += step.isBehind (sample.u, sample.v) != isLeg (sample.u, sample.v);
@@ -111,7 +113,7 @@ TEST (StepFinder, FindsStepsAtAnyAngle)
         samplesOf ([] (int u, int v) { return u >= 30 && u < 70 && v >= 10 && v < 50; },
                    [&] (int u, int v) { return isBehind (u, v) ? 2.5f : 0.f; });
     GridLine step;
-    ASSERT_TRUE (StepFinder().find (samples, min_side, step)) << slope;
+    ASSERT_TRUE (StepFinder().find (samples, min_side, step, max_left)) << slope;
     std::size_t same = 0;
     for (const SampleError& sample : samples)
       same += step.isBehind (sample.u, sample.v) == isBehind (sample.u, sample.v);
@@ -176,9 +178,9 @@ TEST (StepFinder, FindsTheSameWithAnyInstructions)
     auto samples = samplesOf (isTable, tableWithStep (2.5f));
     samples.erase (samples.begin(), samples.begin() + first);
     GridLine best, fallback;
-    const bool is_found = StepFinder().find (samples, min_side, best);
+    const bool is_found = StepFinder().find (samples, min_side, best, max_left);
     hwy::SetSupportedTargetsForTest (HWY_STATIC_TARGET);
-    EXPECT_EQ (StepFinder().find (samples, min_side, fallback), is_found);
+    EXPECT_EQ (StepFinder().find (samples, min_side, fallback, max_left), is_found);
     hwy::SetSupportedTargetsForTest (0);
     EXPECT_TRUE (is_found);
     EXPECT_EQ (best.is_steep, fallback.is_steep);

@@ -6,6 +6,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -40,6 +41,16 @@ struct DepthNoise {
    * where errors of pixels are like those of their neighbours, means over windows have more. */
   float normal_scatter = 1.f;
   static constexpr float max_normal_scatter = 5.f;
+  /** Nearer points, in metres^2, have no direction. */
+  static constexpr float min_squared_range = 1e-12f;
+
+  /** \brief Points further away, in metres^2, are not used; always less than the squares that
+   * floats can hold. */
+  float
+  maxSquaredRange () const
+  {
+    return std::min (max_range * max_range, 1e18f);
+  }
 
   float
   sigma (float squared_range) const
@@ -119,13 +130,13 @@ struct DepthNoise {
   }
 };
 
-/** \brief The noise of a frame: \a noise, but where that is the least, so many times as much
- * as the frame has more.
+/** \brief The noise of a frame: \a noise itself or, where that is the least and the frame is
+ * noisier, \a noise times their ratio.
  *
- * At the corners of small rectangles of the image, a difference of differences of inverse
- * ranges is 0 on planes, and on cylinders along the image as well. The factor is the median of
- * its size by what \a noise lets expect. What is smooth over an eightieth of the image's longer
- * side is not seen.
+ * The ratio is a median over small rectangles of the image. What counts is the inverse range at
+ * two opposite corners less that at the other two, which is 0 on planes and on cylinders along
+ * the image, divided by the standard deviation that \a noise predicts for it. Errors that are
+ * smooth over an eightieth of the image's longer side are not seen.
  */
 PCL_RGBD_PLANES_EXPORTS DepthNoise
 noiseIn (const OrganizedPoints& points, const DepthNoise& noise);

@@ -168,9 +168,8 @@ public:
   setMaxDepthChangeFactor (float max_depth_change_factor);
 
   /** \brief The noise of the sensor, which tells neighbouring surfaces apart; default
-   * rgbd_planes::DepthNoise::kinectV1 (). Normals are computed beyond its range as well. A
-   * noise of 0 m or less, NaN or Inf, and a range of 0 m or less, are refused with an
-   * error. */
+   * rgbd_planes::DepthNoise::kinectV1 (). Normals are computed beyond its range as well.
+   * What rgbd_planes::setDepthNoise() refuses: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

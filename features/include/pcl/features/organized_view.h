@@ -39,6 +39,12 @@ struct OrganizedNormals {
   const float* normal = nullptr;
   const float* curvature = nullptr;
   std::size_t stride = 0;
+
+  const float*
+  operator[] (std::size_t index) const
+  {
+    return normal + index * stride;
+  }
 };
 
 /** \brief Whether \a p is a measurement: NaN, Inf and (0, 0, 0) mean missing depth. */

@@ -38,10 +38,12 @@ setParameter (const std::string& setter,
     parameter = static_cast<T> (value);
     return true;
   }
-  PCL_ERROR ("[pcl::%s] The value must be %s 0 and at most %g, got %g. Keeping %g.\n",
+  const std::string limit =
+      max < any_finite ? " and at most " + std::to_string (max) : "";
+  PCL_ERROR ("[pcl::%s] The value must be a number, %s 0%s, got %g. Keeping %g.\n",
              setter.c_str(),
              may_be_zero ? "at least" : "more than",
-             max,
+             limit.c_str(),
              value,
              static_cast<double> (parameter));
   return false;

@@ -32,7 +32,7 @@ struct TangentNormalParameters {
    * lie on different surfaces: no tangent spans them. Nor if they differ by more than the
    * noise and the slant of a surface explain. */
   float max_depth_change_factor = 0.02f;
-  DepthNoise noise;
+  DepthNoise noise = DepthNoise::kinectV1();
   /** No normals where the smoothing area leaves the image, instead of cutting the area.
    */
   bool ignore_border = false;

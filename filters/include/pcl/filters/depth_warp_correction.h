@@ -105,8 +105,8 @@ public:
   }
 
   /** \brief The errors of measured depth, which tell how large the warp may be; default
-   * DepthNoise::kinectV1 (). Counts from the next frame on. A noise of 0 m or less, NaN or
-   * Inf, and a range of 0 m or less, are refused. */
+   * DepthNoise::kinectV1 (). Counts from the next frame on. What rgbd_planes::setDepthNoise()
+   * refuses: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
@@ -144,7 +144,7 @@ private:
   faultOf (const PointCloud& cloud) const;
 
   rgbd_planes::DepthWarp warp_;
-  rgbd_planes::DepthNoise noise_;
+  rgbd_planes::DepthNoise noise_ = rgbd_planes::DepthNoise::kinectV1();
   bool right_angles_ = true;
   std::vector<std::uint32_t> plane_of_; // for each point; no plane: a number beyond
 };

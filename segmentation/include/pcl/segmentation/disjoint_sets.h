@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace pcl {
@@ -21,7 +22,15 @@ public:
     parent_.resize (numbers);
   }
 
-  /** \brief Makes \a i a set of its own; needed before all else is asked of it. */
+  /** \brief Starts anew with so many numbers, each a set of its own. */
+  void
+  start (std::size_t numbers)
+  {
+    parent_.resize (numbers);
+    std::iota (parent_.begin(), parent_.end(), 0u);
+  }
+
+  /** \brief Makes \a i a set of its own; needed after resize() before all else is asked of it. */
   void
   add (std::uint32_t i)
   {

@@ -47,7 +47,7 @@ heightVariance (const float* point, float camera_height, const DepthNoise& noise
   const float squared_range = squaredRange (point);
   const float sigma = camera_height * noise.sigma (squared_range);
   const float variance = sigma * sigma / squared_range;
-  return squared_range <= noise.max_range * noise.max_range
+  return squared_range <= noise.maxSquaredRange()
              ? variance
              : std::numeric_limits<float>::quiet_NaN();
 }

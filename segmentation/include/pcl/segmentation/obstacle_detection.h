@@ -47,7 +47,8 @@ namespace pcl {
  * below z = 0 are drop-offs if the camera is above it, all other measured points obstacles.
  *
  * A null, empty or unorganized cloud, normals or labels that are missing or of another size,
- * or an index outside of the cloud: an error message and empty outputs.
+ * or an index outside of the cloud: an error message and empty outputs. No floor while
+ * setCameraToBase was not called: a warning, once for frames in a row.
  *
  * \ingroup segmentation
  */
@@ -87,8 +88,10 @@ public:
   }
 
   /** \brief The planes of the input cloud.
-   * \param[in] model_coefficients a, b, c, d of each plane
-   * \param[in] labels the plane of each point of the input cloud, or a number beyond
+   * \param[in] model_coefficients a, b, c, d of each plane in the frame of the cloud, metres, of
+   * any length and sign; one without four finite coefficients is never the floor
+   * \param[in] labels the plane of each point of the input cloud, or a number beyond; kept, not
+   * copied
    */
   void
   setInputPlanes (const std::vector<ModelCoefficients>& model_coefficients,
@@ -184,8 +187,8 @@ public:
   }
 
   /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 ().
-   * Points beyond its range are unmeasured. A noise of 0 m or less, NaN or Inf, and a range
-   * of 0 m or less, are refused. */
+   * Points beyond its range are unmeasured. What rgbd_planes::setDepthNoise() refuses: an error
+   * message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
@@ -273,6 +276,10 @@ private:
   bool
   checkInput () const;
 
+  /** \brief Warns if the floor is lost (\a is_lost) and nobody said where the camera is. */
+  void
+  warnOfPose (bool is_lost);
+
   PointCloudNConstPtr normals_;
   PointCloudLConstPtr labels_;
   rgbd_planes::PlaneVectors coefficients_;
@@ -283,6 +290,7 @@ private:
   rgbd_planes::ObstacleExtraction extraction_;
   Eigen::Vector4f floor_ = Eigen::Vector4f::Zero();
   std::vector<std::uint8_t> selected_;
+  bool is_warned_ = false;
 };
 
 } // namespace pcl

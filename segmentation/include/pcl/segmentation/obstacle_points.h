@@ -24,9 +24,6 @@ struct ObstaclePointParameters {
   float min_height = 0.01f;
   /** Of the lowest drop-offs, metres. */
   float min_drop = 0.03f;
-  /** Points whose normal is further from that of the floor are on something else;
-   * radians. */
-  float normal_angle = 0.6f;
 };
 
 /** \brief Points with what is known of them, and the floor that was found. */
@@ -143,7 +140,6 @@ private:
   isTurned (const ObstacleFrame& frame, std::size_t point) const;
 
   ObstaclePointParameters parameters_;
-  float min_cos_ = 1.f;
   int cell_size_ = 1;
   int width_ = 0;
   int cells_u_ = 0;

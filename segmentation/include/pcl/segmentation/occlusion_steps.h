@@ -37,10 +37,6 @@ public:
            const ObjectClusters& clustering,
            const std::vector<ObjectCluster>& clusters);
 
-  /** \brief Ends with these clusters: nothing more is asked of them. */
-  void
-  finish (const std::vector<ObjectCluster>& clusters);
-
   /** \brief One pair of clusters after the other, those with the last front first, line by line. */
   const std::vector<OcclusionStep>&
   steps () const

@@ -54,7 +54,7 @@ public:
   SeenPlane
   between (std::uint32_t a, std::uint32_t b) const
   {
-    const std::size_t pair = find (std::min (a, b), std::max (a, b));
+    const std::size_t pair = placeOf (std::min (a, b), std::max (a, b));
     return pair != none ? pairs_[pair].seen : SeenPlane::unknown;
   }
 
@@ -72,7 +72,7 @@ private:
 
   /** The place of a pair a < b, or \ref none. */
   std::size_t
-  find (std::uint32_t a, std::uint32_t b) const
+  placeOf (std::uint32_t a, std::uint32_t b) const
   {
     std::size_t pair = a < last_of_.size() ? last_of_[a] : none;
     while (pair != none && pairs_[pair].b != b)

@@ -49,8 +49,9 @@ public:
    * \param[in] labels the plane of each pixel, organized as the frame; numbers beyond the
    * planes are pixels without one
    * \param[out] ids the identity of each plane, counted from 0 and never used for another one;
-   * replaced. Empty after an error message where a plane does not have 4 coefficients, or
-   * where there are planes but no labels; the tracker then forgets nothing.
+   * replaced. Empty after an error message where a plane does not have 4 coefficients, where
+   * there are planes but no labels, or labels are not width x height; the tracker then forgets
+   * nothing.
    */
   void
   track (const std::vector<ModelCoefficients>& model_coefficients,

@@ -63,14 +63,16 @@ private:
   void
   listComponents (std::size_t min_points);
 
-  /** What clusters have in each tile, the connected pieces of that, where those of a tile begin,
-   * and which hang together. */
+  /** What clusters have in each tile, and the connected pieces of that. */
   std::vector<TilePart> parts_, pieces_;
-  std::vector<std::uint32_t> first_of_tile_;
-  DisjointSets sets_;
-  /** For the first piece of each component, the number of samples and of pieces, then where these
-   * are. */
-  std::vector<std::uint32_t> roots_, samples_, places_;
+  /** The number of the first piece of each tile and of each cluster. */
+  std::vector<std::uint32_t> first_of_tile_, first_of_cluster_;
+  DisjointSets sets_; // pieces that hang together
+  /** The first piece of the component of each piece. */
+  std::vector<std::uint32_t> roots_;
+  /** For the first piece of each component, the number of samples; the number of pieces, and then
+   * where these go in \ref members_. */
+  std::vector<std::uint32_t> samples_, places_;
   std::vector<TilePart> members_;
   std::vector<Component> components_;
 };

@@ -64,7 +64,7 @@ public:
   find (const std::vector<SampleError>& samples,
         std::size_t min_side,
         GridLine& step,
-        double max_left = 0.95);
+        double max_left);
 
 private:
   /** A place of the grid where errors jump, from its first row on and from the first place

@@ -32,7 +32,7 @@ struct SupportPlane {
   std::size_t index = 0; /**< among the planes of the segmentation */
   Plane plane;
   /** Directions in the plane; axis_x, axis_y and the normal are right-handed. */
-  Eigen::Vector3f axis_x, axis_y;
+  Eigen::Vector3f axis_x = Eigen::Vector3f::Zero(), axis_y = Eigen::Vector3f::Zero();
   float height = 0.f; /**< of the centre of its points in the base frame */
   ConvexOutline outline;
   ConvexOutline surroundings; /**< the outline and the largest overhang */
@@ -53,9 +53,6 @@ struct SupportPlane {
     return q.x() * axis_x + q.y() * axis_y - plane.d * plane.normal;
   }
 };
-
-/** \brief Where a point is with respect to a supporting plane. */
-enum class Level { elsewhere, on_plane, above };
 
 /** \brief Whether noise of up to \a sigmas standard deviations explains the \a height of a
  * point above a plane: depth errs along the ray, and only a part of that points up. */
@@ -87,30 +84,8 @@ mayBeOnPlane (const float* p,
          isWithinNoise (p, plane, height, plane_sigmas, parameters.noise);
 }
 
-/** \brief How far a plane reaches. */
-enum class Reach { outline, surroundings };
-
 /** \brief Things have at least such a share of their points over the hull of their plane. */
 constexpr double over_hull_share = 0.25;
-
-/** \brief Whether \a p lies on a plane, or up to the largest height of an object above it, in
- * both cases where the plane reaches. */
-inline Level
-levelOf (const float* p,
-         const SupportPlane& support,
-         Reach reach,
-         const ObjectParameters& parameters)
-{
-  const float height = support.plane.distance (p);
-  const auto& outline =
-      reach == Reach::outline ? support.outline : support.surroundings;
-  if (height > parameters.max_object_height || height < -parameters.max_object_height ||
-      !outline.contains (support.project (p)))
-    return Level::elsewhere;
-  if (mayBeOnPlane (p, support.plane, height, parameters))
-    return Level::on_plane;
-  return height > 0.f ? Level::above : Level::elsewhere;
-}
 
 /** \brief Whether nearly all points of a thing lie over the hull of a plane, most of them above
  * it and the rest, such as its foot, where noise may have them on it. */

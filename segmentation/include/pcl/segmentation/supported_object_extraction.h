@@ -82,7 +82,9 @@ struct SupportedObject {
  *
  * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
  * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
- * normal for each point: an error message and no objects.
+ * normal for each point: an error message and no objects. No supporting plane while
+ * setCameraToBase was not called: a warning, once for frames in a row. What a setter cannot
+ * take: an error message, and the value before stays.
  *
  * \ingroup segmentation
  */
@@ -301,8 +303,8 @@ public:
   }
 
   /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 ().
-   * Points beyond its range are left out. A noise of 0 m or less, NaN or Inf, and a range of
-   * 0 m or less, are refused. */
+   * Points beyond its range are left out. What rgbd_planes::setDepthNoise() refuses: an error
+   * message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
@@ -386,6 +388,10 @@ private:
             const rgbd_planes::ObjectParameters& parameters,
             SupportedObject& object);
 
+  /** \brief Warns if supporting planes are lost (\a is_lost) and nobody said where the camera is. */
+  void
+  warnOfPose (bool is_lost);
+
   PointCloudNConstPtr normals_;
   Eigen::Affine3f camera_to_base_ = rgbd_planes::defaultCameraToBase();
   rgbd_planes::ObjectParameters parameters_;
@@ -397,6 +403,7 @@ private:
   rgbd_planes::ConcaveSplit split_;
   rgbd_planes::HollowThings hollow_things_;
   rgbd_planes::ObjectBoxFinder boxes_;
+  bool is_warned_ = false;
 };
 
 } // namespace pcl

@@ -69,7 +69,7 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
   const auto computeAll = [this] (auto& cloud) {
     return tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
                                      parameters_,
-                                     rgbd_planes::viewNormals (cloud));
+                                     rgbd_planes::normalOutput (cloud));
   };
   if (!this->forIndices())
     return computeAll (output);

@@ -39,10 +39,10 @@ viewPoints (const pcl::PointCloud<PointT>& cloud)
           static_cast<int> (cloud.height)};
 }
 
-/** \brief Where the normals of a cloud go; it must not be empty. */
+/** \brief The normals of a cloud in place; it must not be empty. */
 template <typename PointT>
-NormalOutput
-viewNormals (pcl::PointCloud<PointT>& cloud)
+OrganizedNormals
+viewNormals (const pcl::PointCloud<PointT>& cloud)
 {
   using namespace pcl::traits;
   static_assert (offset<PointT, fields::normal_y>::value ==
@@ -51,11 +51,19 @@ viewNormals (pcl::PointCloud<PointT>& cloud)
                          offset<PointT, fields::normal_x>::value + 2 * sizeof (float),
                  "normal_x, normal_y and normal_z must be floats next to each other");
   static_assert (sizeof (PointT) % sizeof (float) == 0, "points must be whole floats");
+  const PointT& first = cloud.front();
+  return {&first.normal_x, &first.curvature, sizeof (PointT) / sizeof (float)};
+}
+
+/** \brief Where the normals of a cloud go; it must not be empty. */
+template <typename PointT>
+NormalOutput
+normalOutput (pcl::PointCloud<PointT>& cloud)
+{
+  const std::size_t stride = viewNormals (cloud).stride;
   PointT& first = cloud.front();
-  return {&first.normal_x,
-          &first.curvature,
-          sizeof (PointT) / sizeof (float),
-          std::is_same_v<PointT, pcl::Normal>};
+  return {
+      &first.normal_x, &first.curvature, stride, std::is_same_v<PointT, pcl::Normal>};
 }
 
 /** \brief Whether there are normals, but none of unit length, to 5 %, among about a hundred

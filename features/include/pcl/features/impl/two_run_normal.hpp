@@ -141,7 +141,7 @@ TwoRunNormalEstimation<PointInT, PointOutT>::computeNormals (PointCloudOut& outp
       *indices_,
       rgbd_planes::viewAnyPoints (surface_ ? *surface_ : *input_),
       parameters_,
-      rgbd_planes::viewNormals (output));
+      rgbd_planes::normalOutput (output));
 }
 
 } // namespace pcl

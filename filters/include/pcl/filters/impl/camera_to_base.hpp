@@ -10,7 +10,9 @@
 #include <pcl/type_traits.h>
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace pcl {
 

@@ -63,12 +63,10 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
   is_segmented_ = true;
   if (checkInput()) {
     rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
-    const PointNT& first = normals_->front();
-    plane_extraction_.compute (
-        relative_points_.of (*input_),
-        {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
-        selected_,
-        parameters_);
+    plane_extraction_.compute (relative_points_.of (*input_),
+                               rgbd_planes::viewNormals (*normals_),
+                               selected_,
+                               parameters_);
     header_ = input_->header;
     sensor_origin_ = input_->sensor_origin_;
     if (!sensor_origin_.head<3>().isZero (0.f))

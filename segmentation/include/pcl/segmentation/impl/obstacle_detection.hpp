@@ -43,7 +43,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::setScanLimits (const ScanLimits& li
   constexpr float turn = 6.2831854f;
   constexpr float max_directions = 1e5f;
   if (!(limits.angle_increment > 0.f && span >= 0.f && span < turn &&
-        span / limits.angle_increment < max_directions &&
+        turn / limits.angle_increment < max_directions &&
         std::isfinite (limits.angle_min) && std::isfinite (limits.angle_increment) &&
         limits.range_min >= 0.f && limits.range_min <= limits.range_max &&
         !std::isnan (limits.max_height))) {
@@ -102,19 +102,32 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
   for (const auto& plane : coefficients_)
     planes_.coefficients.push_back (rgbd_planes::shifted (plane, -origin));
   rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
-  const PointNT& normal = normals_->front();
   planes_.labels = &labels_->front().label;
   planes_.stride = sizeof (PointLT) / sizeof (std::uint32_t);
-  extraction_.compute (
-      points,
-      {&normal.normal_x, &normal.curvature, sizeof (PointNT) / sizeof (float)},
-      planes_,
-      indices_ ? selected_.data() : nullptr,
-      excluded_.get(),
-      parameters,
-      obstacles);
+  extraction_.compute (points,
+                       rgbd_planes::viewNormals (*normals_),
+                       planes_,
+                       indices_ ? selected_.data() : nullptr,
+                       excluded_.get(),
+                       parameters,
+                       obstacles);
+  warnOfPose (!extraction_.floor().isFound());
   floor_ = extraction_.floor().coefficients();
   floor_[3] -= floor_.head<3>().dot (origin);
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::warnOfPose (bool is_lost)
+{
+  is_lost &= parameters_.camera_to_base.isApprox (rgbd_planes::defaultCameraToBase());
+  // Once, for all frames of a camera are alike.
+  if (is_lost && !is_warned_)
+    PCL_WARN (
+        "[pcl::%s] No floor at z = 0, which is the height of the camera as long as "
+        "setCameraToBase was not called: give the pose of your camera.\n",
+        getClassName().c_str());
+  is_warned_ = is_lost;
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -101,6 +101,24 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     objects[count++].box_center += origin;
   }
   objects.resize (count);
+  warnOfPose (!planes_.empty() && supports_.planes().empty());
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::warnOfPose (bool is_lost)
+{
+  is_lost &= camera_to_base_.isApprox (rgbd_planes::defaultCameraToBase());
+  // Once, for all frames of a camera are alike.
+  if (is_lost && !is_warned_)
+    PCL_WARN (
+        "[pcl::%s] No plane is level and %g to %g m above z = 0, which is the height "
+        "of the camera as long as setCameraToBase was not called: give the pose of "
+        "your camera.\n",
+        getClassName().c_str(),
+        getMinPlaneHeight(),
+        getMaxPlaneHeight());
+  is_warned_ = is_lost;
 }
 
 template <typename PointT, typename PointNT>
@@ -112,17 +130,14 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
   const Eigen::Translation3f sensor (input_->sensor_origin_.template head<3>());
   supports_.compute (points, planes_, camera_to_base_ * sensor, parameters);
   clustering_.compute (points, selected_, supports_, parameters);
-  if (parameters_.split_at_concave_edges) {
-    const PointNT& first = normals_->front();
-    split_.compute (
-        points,
-        {&first.normal_x, &first.curvature, sizeof (PointNT) / sizeof (float)},
-        clustering_.pixelAngle(),
-        planes_,
-        supports_.planes(),
-        parameters,
-        clustering_.clusters());
-  }
+  if (parameters_.split_at_concave_edges)
+    split_.compute (points,
+                    rgbd_planes::viewNormals (*normals_),
+                    clustering_.pixelAngle(),
+                    planes_,
+                    supports_.planes(),
+                    parameters,
+                    clustering_.clusters());
   hollow_things_.compute (points,
                           clustering_,
                           supports_.planes(),
