@@ -49,6 +49,12 @@ parseCommandLine (int argc,
                    .run(),
                values);
   }
+  catch (const po::too_many_positional_options_error&) {
+    throw AppError (
+        "only " + std::to_string (max_arguments) +
+        " INPUT may be given; put numbers that belong together between commas "
+        "without spaces; see --help");
+  }
   catch (const po::error& error) {
     throw AppError (std::string (error.what()) + "; see --help");
   }

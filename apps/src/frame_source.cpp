@@ -16,6 +16,7 @@
 #include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -47,6 +48,15 @@ readDepthImage (const fs::path& file, const DepthCamera& camera)
         file.string() + ": has " + std::to_string (image.width) + " x " +
         std::to_string (image.height) +
         " pixels, for which no camera is known: add --intrinsics fx,fy,cx,cy");
+  const auto width = static_cast<float> (image.width);
+  const auto height = static_cast<float> (image.height);
+  const auto& [fx, fy, cx, cy] = camera.intrinsics;
+  if (std::fabs (cx - 0.5f * width) > width || std::fabs (cy - 0.5f * height) > height)
+    throw AppError (
+        file.string() + ": has " + std::to_string (image.width) + " x " +
+        std::to_string (image.height) +
+        " pixels, far from which the principal point of --intrinsics is: give "
+        "fx,fy,cx,cy of these images");
   return toCloud (image, camera.intrinsics, camera.units_per_metre);
 }
 

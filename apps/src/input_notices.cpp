@@ -46,12 +46,11 @@ void
 InputNotices::add (const Frame& frame, const FrameSummary& summary)
 {
   const auto& cloud = *frame.cloud;
-  const float max_range = options_.depth_noise.max_range;
   ++frames_;
   measured_points_ += summary.measured_points;
   points_out_of_range_ += static_cast<std::size_t> (
       std::count_if (cloud.begin(), cloud.end(), [&] (const auto& point) {
-        return squaredRange (point.data) > max_range * max_range;
+        return squaredRange (point.data) > options_.depth_noise.maxSquaredRange();
       }));
   frames_elsewhere_ += !isInCameraFrame (cloud);
   if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
@@ -74,15 +73,17 @@ InputNotices::lines() const
   if (out_of_range > max_percent_out_of_range)
     lines.push_back (
         (boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
-                        "%.1f m of this sensor and are left out; kinect_v1 and "
-                        "CONSTANT,QUADRATIC take all") %
-         out_of_range % options_.depth_noise.max_range)
+                        "%.1f m of this sensor and are left out; %g,%g,%g is the same "
+                        "noise without a limit") %
+         out_of_range % options_.depth_noise.max_range % options_.depth_noise.constant %
+         options_.depth_noise.quadratic % options_.depth_noise.normal_scatter)
             .str());
   if (frames_elsewhere_ > 0)
     lines.push_back (
         (boost::format ("in %d of %d frames most points are not where a camera sees "
                         "them: x right, y down and z forward from the camera is "
-                        "expected") %
+                        "expected; give clouds in the frame of the camera, or its "
+                        "--intrinsics if they are wrong") %
          frames_elsewhere_ % frames_)
             .str());
   if (!estimated_pose_.empty())

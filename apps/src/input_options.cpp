@@ -107,8 +107,10 @@ const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line o
                          "cannot be\nwritten; a line on stderr then says what to do.\n";
 
 const char base_transform_help[] =
-    "where the camera is in the frame of the robot (x forward, y left, z up), in "
-    "metres and degrees; 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
+    "where the body of the camera (x forward, y left, z up, as ROS has its "
+    "camera_link, "
+    "not the optical frame) is in the frame of the robot, whose z = 0 is the floor; "
+    "metres and degrees: 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
     "that of a simulated camera, or else the largest plane that faces up in the image "
     "is taken for the floor, or for a table, and if none does, the largest one, even a "
     "wall: give it for obstacles";
@@ -170,13 +172,15 @@ parseBaseTransform (const std::string& text)
 }
 
 std::array<float, 2>
-parseCoefficients (const std::string& option, const std::string& text)
+parseCoefficients (const std::string& option,
+                   const std::string& text,
+                   const std::string& names)
 {
-  const auto values = parseNumbers (option, text, "A,B");
+  const auto values = parseNumbers (option, text, names);
   const float sum = values[0] + values[1];
   if (values[0] < 0.f || values[1] < 0.f || sum == 0.f || !std::isfinite (sum))
-    throw AppError (option + ": '" + text +
-                    "' must be two numbers, A,B: 0 or more, and not both 0");
+    throw AppError (option + ": '" + text + "' must be two numbers, " + names +
+                    ": 0 or more, and not both 0");
   return {values[0], values[1]};
 }
 
@@ -217,7 +221,7 @@ readDepthNoise (const po::variables_map& values)
                     "active_stereo or CONSTANT,QUADRATIC[,SCATTER]");
   const auto third = text.find (',', text.find (',') + 1);
   const auto [constant, quadratic] =
-      parseCoefficients ("--depth-noise", text.substr (0, third));
+      parseCoefficients ("--depth-noise", text.substr (0, third), "CONSTANT,QUADRATIC");
   DepthNoise noise{constant, quadratic};
   if (third != std::string::npos)
     noise.normal_scatter =

@@ -31,15 +31,18 @@ printObstacles (std::ostream& out, const FrameSummary& frame)
 {
   out << boost::format ("%s: %d obstacles%s\n") % frame.name % frame.obstacles.size() %
              (frame.floor_found.value_or (false) ? ""
-                                                 : ", no floor found: nothing is safe");
+                                                 : ", no floor found: nothing is safe; "
+                                                   "with the right --base-transform it "
+                                                   "is at z = 0");
   if (frame.obstacles.empty())
     return;
-  out << "  obstacle   distance m   direction deg     at x       y       z    points   "
+  out << "  obstacle   nearest m   direction deg   centroid in the base frame    "
+         "points   "
          "kind\n";
   constexpr double degrees = 180. / M_PI;
   for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
     const auto& [obstacle, points, centroid] = frame.obstacles[id];
-    out << boost::format ("%10d %12.3f %15.1f %8.3f %7.3f %7.3f %9d   %s\n") % id %
+    out << boost::format ("%10d %11.3f %15.1f %12.3f %7.3f %7.3f %9d   %s\n") % id %
                obstacle.distance % (degrees * obstacle.direction) % centroid.x() %
                centroid.y() % centroid.z() % points % kindOf (obstacle);
   }

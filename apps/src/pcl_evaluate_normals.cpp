@@ -35,7 +35,7 @@ readRadius (const po::variables_map& values)
 {
   if (!values.count ("far-reference")) {
     const auto [a, b] =
-        parseCoefficients ("--radius", values["radius"].as<std::string>());
+        parseCoefficients ("--radius", values["radius"].as<std::string>(), "A,B");
     return [a = a, b = b] (float z) { return a + b * z; };
   }
   if (!values["radius"].defaulted())

@@ -150,7 +150,7 @@ printObjects (std::ostream& out, const FrameSummary& frame)
   out << boost::format ("%s: %d objects\n") % frame.name % frame.objects.size();
   if (frame.objects.empty())
     return;
-  out << "  object   on plane     at x       y       z     sides cm           height   "
+  out << "  object   on plane   centroid in camera frame   sides cm           height   "
          "points   graspable\n";
   for (std::size_t id = 0; id < frame.objects.size(); ++id) {
     const auto& [object, points] = frame.objects[id];

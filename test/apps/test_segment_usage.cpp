@@ -120,7 +120,9 @@ TEST_F (SegmentUsage, BadUsageIsRefused)
   writeTwoWalls ("walls.png");
   const std::string input = "walls.png --output out ";
   expectRefused ("", "no INPUT given; see --help");
-  expectRefused ("walls.png walls.png", "see --help");
+  expectRefused ("walls.png walls.png", "only 1 INPUT may be given");
+  expectRefused (input + "--depth-scale 1000 --intrinsics 131,131,790,59.5",
+                 "walls.png: has 160 x 120 pixels, far from which the principal point");
   expectRefused (input + camera_ + "--colour", "see --help");
   expectRefused (input + camera_ + "--frames", "see --help");
   expectRefused (input + camera_ + "--frames 0", "--frames");

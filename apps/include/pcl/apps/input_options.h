@@ -41,9 +41,12 @@ extern const char base_transform_help[];
 Eigen::Affine3f
 parseBaseTransform (const std::string& text);
 
-/** \brief The two finite numbers of "A,B", 0 or more and not both 0; AppError for others. */
+/** \brief The two finite numbers of "A,B", 0 or more and not both 0; AppError for others, which
+ * calls them \a names, as in "A,B". */
 std::array<float, 2>
-parseCoefficients (const std::string& option, const std::string& text);
+parseCoefficients (const std::string& option,
+                   const std::string& text,
+                   const std::string& names);
 
 /** \brief Adds --depth-noise. */
 void
