@@ -31,6 +31,9 @@ all ranges that matter; some ten frames are enough.
   pcl_measure_depth_noise recordings/
 )";
 
+/** From the first range to the last one, so that both parts of the noise are told. */
+constexpr float told_range = 1.5f;
+
 DepthNoise
 estimate (const pcl::DepthNoiseEstimation& estimation)
 {
@@ -49,13 +52,18 @@ noiseTable (const pcl::DepthNoiseEstimation& estimation)
   const DepthNoise noise = estimate (estimation);
   std::ostringstream table;
   table << std::fixed << "range m   blocks  noise mm  twice that, fitted\n";
-  for (const auto& level : estimation.getLevels())
+  const auto levels = estimation.getLevels();
+  for (const auto& level : levels)
     table << std::setw (7) << std::setprecision (2) << level.range << std::setw (9)
           << level.blocks << std::setw (10) << 1000.f * level.sigma << std::setw (20)
           << 1000.f * noise.sigma (level.range * level.range) << '\n';
   table << std::setprecision (5) << "--depth-noise " << noise.constant << ','
         << noise.quadratic << ',' << std::setprecision (1) << noise.normal_scatter
         << '\n';
+  if (levels.back().range < told_range * levels.front().range)
+    table << "Surfaces are seen at these ranges only; frames that see nearer or "
+             "farther ones "
+             "tell the noise there.\n";
   return table.str();
 }
 

@@ -52,18 +52,19 @@ isRigid (const Eigen::Affine3f& transform)
          rotation.determinant() > 0.f;
 }
 
-void
+bool
 setTransform (const std::string& setter,
               const Eigen::Affine3f& value,
               Eigen::Affine3f& transform)
 {
   if (isRigid (value)) {
     transform = value;
-    return;
+    return true;
   }
   PCL_ERROR ("[pcl::%s] The transform must only turn and shift: give a rotation matrix "
              "and a finite translation. Keeping the one before.\n",
              setter.c_str());
+  return false;
 }
 
 } // namespace rgbd_planes

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "link_kernels.h"
+#include "spread_sample.h"
 
 #include <pcl/segmentation/object_box.h>
 
@@ -137,8 +138,8 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
 {
   projected_.clear();
   heights_.clear();
-  const std::size_t step = (indices.size() + max_points - 1) / max_points;
-  for (std::size_t k = 0; k < indices.size(); k += step) {
+  SpreadSample sample ((indices.size() + max_points - 1) / max_points);
+  for (std::size_t k = sample.next(); k < indices.size(); k = sample.next()) {
     const float* p = points[static_cast<std::size_t> (indices[k])];
     projected_.push_back (support.project (p));
     heights_.push_back (support.plane.distance (p));

@@ -51,6 +51,7 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
   columns_.squares.assign (padded, infinity);
   columns_.x.resize (padded);
   columns_.y.resize (padded);
+  columns_.in_range.assign (wordsFor (columns), 0);
   columns_.strays.assign (wordsFor (columns), 0);
   limits_ = limits;
   squares_.assign (directions + 1, infinity);
@@ -70,6 +71,7 @@ ScanBuilder::add (const PointRow& row,
                   const Eigen::Vector4f& floor,
                   const std::vector<ScanRun>& runs)
 {
+  std::fill (columns_.in_range.begin(), columns_.in_range.end(), 0);
   scanRuns (row, camera_to_base, floor, limits_, runs, columns_);
   for (std::size_t k = 0; k < columns_.strays.size(); ++k) {
     forEachBit (columns_.strays[k], [&] (std::size_t bit) {
@@ -89,6 +91,9 @@ ScanBuilder::closeGaps (const ScanRun& run)
 {
   // Most runs have more points than directions, which their ends tell, if they are in range.
   constexpr std::size_t max_pairs = 64;
+  const auto isInRange = [&] (std::size_t u) {
+    return (columns_.in_range[u / bits_in_word] >> u % bits_in_word & 1) != 0;
+  };
   const auto stepsBetween = [&] (std::size_t u, std::size_t v) {
     const std::size_t a = column_sectors_[u], b = column_sectors_[v];
     return std::max (a, b) - std::min (a, b);
@@ -96,11 +101,11 @@ ScanBuilder::closeGaps (const ScanRun& run)
   const std::size_t last = run.end - 1;
   for (std::size_t begin = run.begin; begin < last; begin += max_pairs) {
     const std::size_t end = std::min (begin + max_pairs, last);
-    const bool is_known = column_sectors_[begin] != noSector();
-    if (is_known && 2 * stepsBetween (begin, end) <= end - begin)
+    if (isInRange (begin) && isInRange (end) && column_sectors_[begin] != noSector() &&
+        2 * stepsBetween (begin, end) <= end - begin)
       continue;
     for (std::size_t u = begin; u < end; ++u)
-      if (stepsBetween (u, u + 1) > 1)
+      if (isInRange (u) && isInRange (u + 1) && stepsBetween (u, u + 1) > 1)
         fillBetween (u);
   }
 }

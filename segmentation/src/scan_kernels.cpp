@@ -93,6 +93,8 @@ scanRunsHere (const PointRow& row,
       const Mask is_in_range =
           hn::And (hn::And (hn::Ge (square, nearest), hn::Le (square, farthest)),
                    hn::Le (p.z, highest));
+      columns.in_range[i / bits_in_word] |= bitsOf (Floats(), is_in_range)
+                                            << i % bits_in_word;
       const Mask is_in_sector = areInSectors (p, columns, i);
       const V closest = load (&columns.squares[i]);
       const Mask is_closer =

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "row_corners.h"
+#include "spread_sample.h"
 
 #include <pcl/segmentation/support_planes.h>
 
@@ -66,8 +67,8 @@ template <typename Use>
 void
 sampleIndices (const pcl::Indices& inliers, std::size_t count, const Use& use)
 {
-  const std::size_t step = std::max<std::size_t> (inliers.size() / count, 1);
-  for (std::size_t i = 0; i < inliers.size(); i += step)
+  SpreadSample sample (std::max<std::size_t> (inliers.size() / count, 1));
+  for (std::size_t i = sample.next(); i < inliers.size(); i = sample.next())
     use (static_cast<std::size_t> (inliers[i]));
 }
 
@@ -76,12 +77,12 @@ template <typename Use>
 void
 sampleIndices (const std::vector<PointRun>& runs, std::size_t count, const Use& use)
 {
-  const std::size_t step = std::max<std::size_t> (pointsOf (runs) / count, 1);
-  std::size_t i = 0; // in the run at hand
+  SpreadSample sample (std::max<std::size_t> (pointsOf (runs) / count, 1));
+  std::size_t i = sample.next(), begin = 0;
   for (const PointRun& run : runs) {
-    for (; i < run.length; i += step)
-      use (run.first + i);
-    i -= run.length;
+    for (; i < begin + run.length; i = sample.next())
+      use (run.first + (i - begin));
+    begin += run.length;
   }
 }
 

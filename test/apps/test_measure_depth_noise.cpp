@@ -42,7 +42,21 @@ TEST_F (MeasureDepthNoise, OfASimulatedKinect)
                    noise["quadratic"].get<double>(),
                    noise["normal_scatter"].get<double>());
     EXPECT_NE (outcome.out.find (option), std::string::npos) << outcome.out;
+    EXPECT_EQ (outcome.out.find ("at these ranges only"), std::string::npos);
   }
+}
+
+TEST_F (MeasureDepthNoise, OneWallTellsTheNoiseThereOnly)
+{
+  pcl::PointCloud<pcl::PointXYZ> wall (640, 480);
+  for (unsigned i = 0; i < wall.size(); ++i)
+    wall[i].getVector3fMap() =
+        Eigen::Vector3f ((i % 640) / 525.f - 0.3f, (i / 640) / 525.f - 0.2f, 1.f) *
+        (i % 3 == 0 ? 4.f : 4.01f);
+  pcl::io::savePCDFileBinary (folder_ / "wall.pcd", wall);
+  const Outcome outcome = run ("wall.pcd");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_NE (outcome.out.find ("at these ranges only"), std::string::npos);
 }
 
 TEST_F (MeasureDepthNoise, WhereNothingIsSeenItSaysSo)

@@ -136,6 +136,22 @@ TEST (DepthWarpCorrection, PointsKeepTheirPixels)
   }
 }
 
+TEST (DepthWarpCorrection, IndicesThatAreGivenTwiceCountOnce)
+{
+  const Corner corner (160, waves);
+  Correction correction;
+  ASSERT_TRUE (correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+  const Cloud once = correctWith (correction, corner.cloud);
+  Cloud twice;
+  auto indices = pcl::make_shared<pcl::Indices>();
+  for (int i = 0; i < static_cast<int> (corner.cloud->size()); ++i)
+    indices->insert (indices->end(), 2, i);
+  correction.setIndices (indices);
+  correction.filter (twice);
+  for (std::size_t i = 0; i < once.size(); ++i)
+    EXPECT_EQ (once[i].getVector3fMap(), twice[i].getVector3fMap());
+}
+
 TEST (DepthWarpCorrection, FramesAddWhatTheyTell)
 {
   // Each of two frames has the planes of one half of the image.

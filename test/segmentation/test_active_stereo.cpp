@@ -111,7 +111,7 @@ TEST (ActiveStereo, ItsNoiseIsThePreset)
     for (const char* scene : {"table_cluttered", "room", "corridor"}) {
       const auto cloud = simulate (scene, seed, Sensor::active_stereo).cloud;
       estimation.addFrame (*cloud);
-      at_qvga.addFrame (*pcl::rgbd_planes::subsample (*cloud, 2));
+      at_qvga.addFrame (pcl::rgbd_planes::subsample (*cloud, 2));
     }
   const DepthNoise preset = DepthNoise::activeStereo();
   for (const auto* measured : {&estimation, &at_qvga}) {

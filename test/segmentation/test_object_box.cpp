@@ -71,6 +71,19 @@ TEST (ObjectBox, WithoutNoiseAllSidesAreRight)
   }
 }
 
+// A level camera sees as many points in each row of a front.
+TEST (ObjectBox, AsWideAsAllPointsAre)
+{
+  for (const float height : {0.2f, 0.26f})
+    for (float width = 0.06f; width < 0.14f; width += 0.002f) {
+      const Vector3f size (0.08f, width, height);
+      const View view = table_scenes::look (
+          {{{1.f, 0.02f, 0.f}, size, 0.f}}, Camera{0.4f, 0.f, 0.f, 640, 480}, 0.f);
+      // A fiftieth of the points at either end does not count.
+      EXPECT_NEAR (sidesOf (view, {0}).y(), width, 0.08f * width) << height;
+    }
+}
+
 TEST (ObjectBox, AHighBackIsNotTheMiddleOfAThing)
 {
   const View view = table_scenes::look ({{{1.2f, 0.f, 0.f}, {0.1f, 0.1f, 0.05f}},

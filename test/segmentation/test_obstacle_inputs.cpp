@@ -167,9 +167,9 @@ TEST (ObstacleInputs, APoseThatNobodyGaveIsToldOnceInARow)
     detection.detect (obstacles);
     return testing::internal::GetCapturedStderr();
   };
-  setInput (detection, scene);
-  EXPECT_EQ (warningOf(), "");
-  detection.setCameraToBase (pcl::rgbd_planes::defaultCameraToBase());
+  detection.setInputCloud (scene.cloud);
+  detection.setInputNormals (scene.normals);
+  detection.setInputPlanes (scene.planes, scene.labels);
   EXPECT_NE (warningOf().find ("setCameraToBase"), std::string::npos);
   EXPECT_EQ (warningOf(), "");
   // Where it was given, there may well be no floor in sight.

@@ -129,6 +129,58 @@ TEST (ObstacleScan, TheScanOfAWallHasNoGapsWhoseEndsAreOutOfRange)
   }
 }
 
+// Where a column looks changes from row to row: what it saw last says nothing of points that
+// are out of limits.
+TEST (ObstacleScan, NothingIsNearerThanThePointsThere)
+{
+  const auto things = a_box + box ({2.f, -2.5f, 0.f}, {2.1f, 2.5f, 3.f}) +
+                      box ({0.9f, -0.9f, 0.65f}, {1.6f, -0.4f, 0.7f}) +
+                      box ({1.5f, 0.5f, 0.f}, {1.6f, 0.6f, 1.8f});
+  for (const float roll : {0.f, 0.3f, 1.57f, -1.57f}) {
+    Eigen::Affine3f rolled = cameraPose (1.2f, 0.3f);
+    rolled.rotate (Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()));
+    const FloorScene scene (only_floor + things, rolled, 320);
+    Detection detection;
+    setInput (detection, scene);
+    for (const float max_height : {0.2f, 0.5f, 1.f}) {
+      pcl::rgbd_planes::ScanLimits limits;
+      limits.max_height = max_height;
+      detection.setScanLimits (limits);
+      Result result;
+      detection.detect (result.obstacles, result.classes);
+      const auto& scan = detection.getScan();
+      const auto size = static_cast<int> (scan.ranges.size());
+      std::vector<float> nearest (scan.ranges.size(),
+                                  std::numeric_limits<float>::infinity());
+      for (const auto& obstacle : result.obstacles)
+        for (const auto i : obstacle.indices) {
+          const Eigen::Vector3f p =
+              scene.camera_to_base *
+              (*scene.cloud)[static_cast<std::size_t> (i)].getVector3fMap();
+          const float step =
+              (std::atan2 (p.y(), p.x()) - scan.angle_min) / scan.angle_increment;
+          // A point is half-way to its neighbours as well.
+          const int pixel = 3, k = static_cast<int> (std::lround (step));
+          if (p.z() > max_height)
+            continue;
+          for (int near = std::max (0, k - pixel);
+               near <= std::min (size - 1, k + pixel);
+               ++near) {
+            float& range = nearest[static_cast<std::size_t> (near)];
+            range = std::min (range, std::hypot (p.x(), p.y()));
+          }
+        }
+      EXPECT_GT (std::count_if (scan.ranges.begin(),
+                                scan.ranges.end(),
+                                [] (float range) { return std::isfinite (range); }),
+                 20);
+      for (std::size_t k = 0; k < nearest.size(); ++k)
+        EXPECT_GE (scan.ranges[k], nearest[k] - 1e-4f)
+            << k << ", " << roll << ", " << max_height;
+    }
+  }
+}
+
 TEST (ObstacleScan, TheScanHasWhatIsKnownLateToBeNoSpeck)
 {
   const FloorScene scene (only_floor + a_box, pose, 320);

@@ -164,9 +164,9 @@ TEST (StepFinder, KeepsNothingOfThePlaneBefore)
   const auto edge = samplesOf (isEdge, tableWithStep (0.f));
   StepFinder used;
   GridLine first, again;
-  ASSERT_TRUE (used.find (table, min_side, first));
-  EXPECT_FALSE (used.find (edge, min_side, again));
-  ASSERT_TRUE (used.find (table, min_side, again));
+  ASSERT_TRUE (used.find (table, min_side, first, max_left));
+  EXPECT_FALSE (used.find (edge, min_side, again, max_left));
+  ASSERT_TRUE (used.find (table, min_side, again, max_left));
   EXPECT_EQ (first.is_steep, again.is_steep);
   EXPECT_EQ (first.slope, again.slope);
   EXPECT_EQ (first.offset, again.offset);

@@ -37,8 +37,10 @@ PCL_RGBD_PLANES_EXPORTS bool
 isRigid (const Eigen::Affine3f& transform);
 
 /** \brief What setters of poses do: \a transform becomes \a value. One that is not rigid: an
- * error message with the name of the setter, and the one before stays. */
-PCL_RGBD_PLANES_EXPORTS void
+ * error message with the name of the setter, and the one before stays.
+ * \return whether \a transform has become \a value
+ */
+PCL_RGBD_PLANES_EXPORTS bool
 setTransform (const std::string& setter,
               const Eigen::Affine3f& value,
               Eigen::Affine3f& transform);

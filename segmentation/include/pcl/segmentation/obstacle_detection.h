@@ -290,7 +290,7 @@ private:
   rgbd_planes::ObstacleExtraction extraction_;
   Eigen::Vector4f floor_ = Eigen::Vector4f::Zero();
   std::vector<std::uint8_t> selected_;
-  bool is_warned_ = false;
+  bool is_posed_ = false, is_warned_ = false;
 };
 
 } // namespace pcl

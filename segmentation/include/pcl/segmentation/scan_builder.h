@@ -22,8 +22,9 @@ struct ScanColumns {
   /** Unit vectors along the borders of the sectors. */
   std::vector<float> right_x, right_y, left_x, left_y;
   std::vector<float> squares;
-  /** A bit for each point at hand that is in another sector, 64 to a word, and these
-   * points. */
+  /** A bit for each point at hand that is within the limits of the scan, 64 to a word. */
+  std::vector<std::uint64_t> in_range;
+  /** The same for those that are in another sector, and these points. */
   std::vector<std::uint64_t> strays;
   std::vector<float> x, y;
 };

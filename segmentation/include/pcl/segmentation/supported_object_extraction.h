@@ -126,7 +126,7 @@ public:
   void
   setCameraToBase (const Eigen::Affine3f& camera_to_base)
   {
-    rgbd_planes::setTransform (
+    is_posed_ |= rgbd_planes::setTransform (
         getClassName() + "::setCameraToBase", camera_to_base, camera_to_base_);
   }
 
@@ -403,7 +403,7 @@ private:
   rgbd_planes::ConcaveSplit split_;
   rgbd_planes::HollowThings hollow_things_;
   rgbd_planes::ObjectBoxFinder boxes_;
-  bool is_warned_ = false;
+  bool is_posed_ = false, is_warned_ = false;
 };
 
 } // namespace pcl

@@ -122,10 +122,11 @@ DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
   const float* warp = warp_.image().data();
   for (const pcl::index_t index : *indices_) {
     const auto i = static_cast<std::size_t> (index);
-    Eigen::Map<Eigen::Vector3f> p (&output[i].x);
+    // Not of the output, for indices may be given twice.
+    const Eigen::Map<const Eigen::Vector3f> p (&(*input_)[i].x);
     const float true_part = 1.f - warp[i] * p.z(); // of the inverse depth
     if (p.z() > 0.f && true_part > 0.5f && true_part < 1.5f)
-      p *= 1.f / true_part;
+      Eigen::Map<Eigen::Vector3f> (&output[i].x) = p / true_part;
   }
 }
 

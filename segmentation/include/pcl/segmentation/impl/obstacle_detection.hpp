@@ -31,7 +31,7 @@ void
 ObstacleDetection<PointT, PointNT, PointLT>::setCameraToBase (
     const Eigen::Affine3f& camera_to_base)
 {
-  rgbd_planes::setTransform (
+  is_posed_ |= rgbd_planes::setTransform (
       getClassName() + "::setCameraToBase", camera_to_base, parameters_.camera_to_base);
 }
 
@@ -120,7 +120,7 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 ObstacleDetection<PointT, PointNT, PointLT>::warnOfPose (bool is_lost)
 {
-  is_lost &= parameters_.camera_to_base.isApprox (rgbd_planes::defaultCameraToBase());
+  is_lost &= !is_posed_;
   // Once, for all frames of a camera are alike.
   if (is_lost && !is_warned_)
     PCL_WARN (

@@ -108,7 +108,7 @@ template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::warnOfPose (bool is_lost)
 {
-  is_lost &= camera_to_base_.isApprox (rgbd_planes::defaultCameraToBase());
+  is_lost &= !is_posed_;
   // Once, for all frames of a camera are alike.
   if (is_lost && !is_warned_)
     PCL_WARN (
