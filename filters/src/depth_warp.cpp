@@ -15,12 +15,13 @@ namespace rgbd_planes {
 
 namespace {
 
-constexpr int cells_in_row = 80;
+/** Along the longer side of the image. */
+constexpr int cells_in_line = 80;
 /** Planes with fewer tell nothing. */
 constexpr std::size_t min_cells = 20;
 constexpr int max_half_periods = 7;
 /** Waves need not be level at the border of the image, where cosines are: they are those of
- * an image that is larger by this part of the width on all sides. */
+ * an image that is larger by this part of its longer side on all sides. */
 constexpr double margin = 0.1;
 /** The standard deviation of the warp of inverse depth, in quadratic parts of the noise. */
 constexpr double warp_in_noise = 2.;
@@ -117,8 +118,9 @@ DepthWarp::resize (int width, int height)
     return;
   width_ = width;
   height_ = height;
-  cell_size_ = std::max (width / cells_in_row, 1);
-  const double margin_px = margin * width;
+  const int longer = std::max (width, height);
+  cell_size_ = std::max (longer / cells_in_line, 1);
+  const double margin_px = margin * longer;
   // Products of two waves have up to twice their half periods.
   const auto ofCells = [&] (int pixels) {
     return cosines (
@@ -136,7 +138,8 @@ DepthWarp::resize (int width, int height)
   for (int i = 0; i <= max_half_periods; ++i)
     for (int j = 0; j <= max_half_periods; ++j) {
       const double half_periods =
-          std::hypot (i, static_cast<double> (j * width) / height);
+          std::hypot (static_cast<double> (i * longer) / width,
+                      static_cast<double> (j * longer) / height);
       if (half_periods > max_half_periods)
         continue;
       waves_.push_back ({i, j, 1.});

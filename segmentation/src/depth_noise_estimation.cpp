@@ -16,7 +16,8 @@ namespace {
 
 using rgbd_planes::OrganizedPoints;
 
-constexpr int blocks_in_a_row = 40, min_side = 8;
+/** Along the longer side of the image; in pixels. */
+constexpr int blocks_in_a_line = 40, min_side = 8;
 constexpr double min_filled = 0.9;
 /** Cosine of the angle between the normal and the ray: flatter surfaces are left out. */
 constexpr double min_cosine = 0.5;
@@ -147,10 +148,14 @@ void
 DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
 {
   ++frames_;
-  const int side = std::max (min_side, points.width / blocks_in_a_row);
+  const int side =
+      std::max (min_side, std::max (points.width, points.height) / blocks_in_a_line);
+  // Of a camera on its side, that is what is below.
+  const bool is_beside = points.height > points.width;
   std::vector<std::optional<Block>> above (
       static_cast<std::size_t> (points.width / side));
-  for (int top = 0; top + side <= points.height; top += side)
+  for (int top = 0; top + side <= points.height; top += side) {
+    std::optional<Block> left;
     for (std::size_t column = 0; column < above.size(); ++column) {
       const auto block = fitBlock (points, static_cast<int> (column) * side, top, side);
       if (block) {
@@ -159,10 +164,12 @@ DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
         similar.ranges += block->range;
         similar.sigmas.push_back (static_cast<float> (block->sigma));
       }
-      if (block && above[column])
-        turns_.push_back (turnBetween (*above[column], *block));
-      above[column] = block;
+      const auto& before = is_beside ? left : above[column];
+      if (block && before)
+        turns_.push_back (turnBetween (*before, *block));
+      left = above[column] = block;
     }
+  }
 }
 
 std::vector<DepthNoiseEstimation::Level>

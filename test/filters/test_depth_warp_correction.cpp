@@ -136,6 +136,36 @@ TEST (DepthWarpCorrection, PointsKeepTheirPixels)
   }
 }
 
+TEST (DepthWarpCorrection, ACameraMayBeOnItsSide)
+{
+  const Corner corner (320, waves);
+  const std::uint32_t width = corner.cloud->height, height = corner.cloud->width;
+  const auto transposed = [&] (int index) {
+    return index % static_cast<int> (height) * static_cast<int> (width) +
+           index / static_cast<int> (height);
+  };
+  auto cloud = pcl::make_shared<Cloud> (width, height);
+  for (int i = 0; i < static_cast<int> (cloud->size()); ++i) {
+    const auto& p = (*corner.cloud)[static_cast<std::size_t> (i)];
+    (*cloud)[static_cast<std::size_t> (transposed (i))].getVector3fMap() << p.y, p.x,
+        p.z;
+  }
+  Models models = corner.models();
+  for (auto& model : models)
+    std::swap (model.values[0], model.values[1]);
+  Inliers inliers = corner.inliers;
+  for (auto& of_plane : inliers)
+    for (int& index : of_plane.indices)
+      index = transposed (index);
+  Correction correction;
+  ASSERT_TRUE (correction.addFrame (cloud, models, inliers));
+  const Cloud upright = correct (corner), turned = correctWith (correction, cloud);
+  for (int i = 0; i < static_cast<int> (cloud->size()); ++i)
+    EXPECT_NEAR (turned[static_cast<std::size_t> (transposed (i))].z,
+                 upright[static_cast<std::size_t> (i)].z,
+                 1e-3f);
+}
+
 TEST (DepthWarpCorrection, IndicesThatAreGivenTwiceCountOnce)
 {
   const Corner corner (160, waves);

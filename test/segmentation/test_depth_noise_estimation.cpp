@@ -108,6 +108,27 @@ TEST (DepthNoiseEstimation, ASimulatedKinectIsTheFirstPreset)
   EXPECT_NEAR (noise.normal_scatter, 1., 0.2);
 }
 
+TEST (DepthNoiseEstimation, ACameraMayBeOnItsSide)
+{
+  DepthNoiseEstimation upright, on_its_side;
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    const auto frame =
+        pcl::rgbd_planes::simulate ("room", seed, pcl::rgbd_planes::Sensor::kinect);
+    const auto& cloud = *frame.cloud;
+    Cloud transposed (cloud.height, cloud.width);
+    for (std::uint32_t v = 0; v < cloud.height; ++v)
+      for (std::uint32_t u = 0; u < cloud.width; ++u)
+        transposed (v, u).getVector3fMap() << cloud (u, v).y, cloud (u, v).x,
+            cloud (u, v).z;
+    upright.addFrame (cloud);
+    on_its_side.addFrame (transposed);
+  }
+  const DepthNoise expected = estimate (upright), noise = estimate (on_its_side);
+  EXPECT_NEAR (noise.constant, expected.constant, 0.02f * expected.constant);
+  EXPECT_NEAR (noise.quadratic, expected.quadratic, 0.02f * expected.quadratic);
+  EXPECT_NEAR (noise.normal_scatter, expected.normal_scatter, 0.02f);
+}
+
 TEST (DepthNoiseEstimation, WithoutNoiseWhatNumbersAllow)
 {
   DepthNoiseEstimation estimation;

@@ -21,7 +21,7 @@ namespace rgbd_planes {
  *
  * The inverse depth 1/z of a plane m * p = 1 is m * (x/z, y/z, 1). What is measured is that
  * plus the warp of the camera at the pixel, which does not depend on the plane: a sum of
- * cosines with waves of down to a third of the width of the image, each as likely as the
+ * cosines with waves of down to a third of the longer side of the image, each as likely as the
  * others. All planes of all frames and the warp are found together by least squares. What
  * bends planes tells the warp. A part that is linear in the image tilts all of them alike, which
  * only angles between them tell: walls, floors and tables of buildings meet at right angles.
