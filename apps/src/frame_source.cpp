@@ -43,20 +43,18 @@ pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readDepthImage (const fs::path& file, const DepthCamera& camera)
 {
   const DepthImage image = readDepthPng (file);
+  const auto misfit = [&] (const std::string& what) {
+    return AppError (file.string() + ": has " + std::to_string (image.width) + " x " +
+                     std::to_string (image.height) + " pixels, " + what);
+  };
   if (camera.guessed && (image.width != 640 || image.height != 480))
-    throw AppError (
-        file.string() + ": has " + std::to_string (image.width) + " x " +
-        std::to_string (image.height) +
-        " pixels, for which no camera is known: add --intrinsics fx,fy,cx,cy");
+    throw misfit ("for which no camera is known: add --intrinsics fx,fy,cx,cy");
   const auto width = static_cast<float> (image.width);
   const auto height = static_cast<float> (image.height);
   const auto& [fx, fy, cx, cy] = camera.intrinsics;
   if (std::fabs (cx - 0.5f * width) > width || std::fabs (cy - 0.5f * height) > height)
-    throw AppError (
-        file.string() + ": has " + std::to_string (image.width) + " x " +
-        std::to_string (image.height) +
-        " pixels, far from which the principal point of --intrinsics is: give "
-        "fx,fy,cx,cy of these images");
+    throw misfit ("far from which the principal point of --intrinsics is: give "
+                  "fx,fy,cx,cy of these images");
   return toCloud (image, camera.intrinsics, camera.units_per_metre);
 }
 

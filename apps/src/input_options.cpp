@@ -108,8 +108,8 @@ const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line o
 
 const char base_transform_help[] =
     "where the body of the camera (x forward, y left, z up, as ROS has its "
-    "camera_link, "
-    "not the optical frame) is in the frame of the robot, whose z = 0 is the floor; "
+    "camera_link, not the optical frame) is in the frame of the robot, whose z = 0 is "
+    "the floor; "
     "metres and degrees: 0,0,1.2,0,30,0 is 1.2 m high and looks down by 30; without, "
     "that of a simulated camera, or else the largest plane that faces up in the image "
     "is taken for the floor, or for a table, and if none does, the largest one, even a "

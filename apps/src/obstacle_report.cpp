@@ -37,8 +37,7 @@ printObstacles (std::ostream& out, const FrameSummary& frame)
   if (frame.obstacles.empty())
     return;
   out << "  obstacle   nearest m   direction deg   centroid in the base frame    "
-         "points   "
-         "kind\n";
+         "points   kind\n";
   constexpr double degrees = 180. / M_PI;
   for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
     const auto& [obstacle, points, centroid] = frame.obstacles[id];

@@ -62,8 +62,7 @@ noiseTable (const pcl::DepthNoiseEstimation& estimation)
         << '\n';
   if (levels.back().range < told_range * levels.front().range)
     table << "Surfaces are seen at these ranges only; frames that see nearer or "
-             "farther ones "
-             "tell the noise there.\n";
+             "farther ones tell the noise there.\n";
   return table.str();
 }
 

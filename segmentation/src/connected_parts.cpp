@@ -10,9 +10,7 @@ void
 ConnectedParts::find (const LabelRuns& image)
 {
   const auto& runs = image.runs();
-  sets_.resize (runs.size());
-  for (std::uint32_t i = 0; i < runs.size(); ++i)
-    sets_.add (i);
+  sets_.start (runs.size());
   for (std::size_t row = 1; row + 1 < image.rows().size(); ++row)
     unite (image, row);
 

@@ -40,13 +40,20 @@ constexpr float turn_of_kinect = 0.55f;
 
 /** What the measured points of a small square of the image see. */
 struct Block {
-  double range, sigma;
+  double range;
   /** Inverse ranges are the scalar product with the directions of rays. */
   Eigen::Vector3d plane;
   /** In the mean of its points. */
   Eigen::Vector3d ray;
   /** Standard deviation of inverse ranges. */
   double error;
+
+  /** That of ranges. */
+  double
+  sigma () const
+  {
+    return error * range * range;
+  }
 };
 
 /** How far the planes of two blocks turn, over the distance from one to the other, in standard
@@ -100,7 +107,7 @@ fitBlock (const OrganizedPoints& points, int left, int top, int side)
   const double squares = std::max (0., moments.squaredErrors (m));
   const double error =
       std::max (std::sqrt (squares / (count - 3.)), min_sigma / (range * range));
-  return Block{range, error * range * range, m, rays / count, error};
+  return Block{range, m, rays / count, error};
 }
 
 using Levels = std::vector<DepthNoiseEstimation::Level>;
@@ -162,7 +169,7 @@ DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
         Blocks& similar = blocks_[static_cast<int> (
             std::floor (std::log (block->range) / std::log (range_step)))];
         similar.ranges += block->range;
-        similar.sigmas.push_back (static_cast<float> (block->sigma));
+        similar.sigmas.push_back (static_cast<float> (block->sigma()));
       }
       const auto& before = is_beside ? left : above[column];
       if (block && before)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/features/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/region_contour.h>
@@ -105,10 +106,8 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
            }))
     warning = "All planes are more than 100 m away: give points in metres, are these "
               "millimetres?";
-  // Once, for all frames of a camera are alike.
-  if (warning && !is_warned_)
+  if (rgbd_planes::isFirstInARow (warning != nullptr, is_warned_))
     PCL_WARN ("[pcl::%s] %s\n", getClassName().c_str(), warning);
-  is_warned_ = warning != nullptr;
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

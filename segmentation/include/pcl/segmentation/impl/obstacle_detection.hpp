@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/features/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/obstacle_detection.h>
 
@@ -120,14 +121,11 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 ObstacleDetection<PointT, PointNT, PointLT>::warnOfPose (bool is_lost)
 {
-  is_lost &= !is_posed_;
-  // Once, for all frames of a camera are alike.
-  if (is_lost && !is_warned_)
+  if (rgbd_planes::isFirstInARow (is_lost && !is_posed_, is_warned_))
     PCL_WARN (
         "[pcl::%s] No floor at z = 0, which is the height of the camera as long as "
         "setCameraToBase was not called: give the pose of your camera.\n",
         getClassName().c_str());
-  is_warned_ = is_lost;
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

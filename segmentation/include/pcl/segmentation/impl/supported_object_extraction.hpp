@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/features/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/supported_object_extraction.h>
@@ -108,9 +109,7 @@ template <typename PointT, typename PointNT>
 void
 SupportedObjectExtraction<PointT, PointNT>::warnOfPose (bool is_lost)
 {
-  is_lost &= !is_posed_;
-  // Once, for all frames of a camera are alike.
-  if (is_lost && !is_warned_)
+  if (rgbd_planes::isFirstInARow (is_lost && !is_posed_, is_warned_))
     PCL_WARN (
         "[pcl::%s] No plane is level and %g to %g m above z = 0, which is the height "
         "of the camera as long as setCameraToBase was not called: give the pose of "
@@ -118,7 +117,6 @@ SupportedObjectExtraction<PointT, PointNT>::warnOfPose (bool is_lost)
         getClassName().c_str(),
         getMinPlaneHeight(),
         getMaxPlaneHeight());
-  is_warned_ = is_lost;
 }
 
 template <typename PointT, typename PointNT>
