@@ -63,10 +63,7 @@ noiseIn (const OrganizedPoints& points, const DepthNoise& noise)
     return noise;
   const auto median = errors.begin() + (end - errors.begin()) / 2;
   std::nth_element (errors.begin(), median, end);
-  const float factor = std::max (1.f, *median / median_size);
-  DepthNoise result = noise;
-  result.constant *= factor;
-  result.quadratic *= factor;
+  DepthNoise result = noise.times (std::max (1.f, *median / median_size));
   result.is_least = false;
   return result;
 }

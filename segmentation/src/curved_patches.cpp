@@ -31,14 +31,12 @@ SamplesAtPlane
 lookBeside (const PlaneSamples& samples,
             std::size_t tile,
             const Plane& plane,
-            const DepthNoise& noise,
-            float max_sigmas)
+            const DepthNoise& tolerance)
 {
   return samplesAtPlane (samples,
                          tile * PlaneSamples::tile_size,
                          equationOf (plane),
-                         noise,
-                         reach * max_sigmas,
+                         tolerance.times (reach),
                          least_cosine);
 }
 
@@ -49,8 +47,7 @@ CurvedPatches::find (const PlaneSamples& samples,
                      const std::vector<std::int32_t>& owners,
                      const std::vector<TilePart>& parts,
                      const std::vector<Plane>& planes,
-                     const DepthNoise& noise,
-                     float max_sigmas)
+                     const DepthNoise& tolerance)
 {
   borders_.assign (planes.size(), {});
   for (const TilePart& part : parts) {
@@ -60,7 +57,7 @@ CurvedPatches::find (const PlaneSamples& samples,
     const unsigned free = samplesWhere (&owners[part.tile * PlaneSamples::tile_size],
                                         [] (std::int32_t owner) { return owner < 0; });
     const SamplesAtPlane at =
-        lookBeside (samples, part.tile, planes[part.plane], noise, max_sigmas);
+        lookBeside (samples, part.tile, planes[part.plane], tolerance);
     Border& border = borders_[part.plane];
     border.samples += count (beside);
     border.continued += count (beside & at.near & (free | at.along));
@@ -68,7 +65,7 @@ CurvedPatches::find (const PlaneSamples& samples,
   is_patch_.resize (planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k)
     is_patch_[k] = goesOnAndTurns (
-        samples, parts, static_cast<std::uint32_t> (k), planes[k], noise, max_sigmas);
+        samples, parts, static_cast<std::uint32_t> (k), planes[k], tolerance);
 }
 
 /** Whether the surface goes on beside the plane, and turns on both together. */
@@ -77,8 +74,7 @@ CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
                                const std::vector<TilePart>& parts,
                                std::uint32_t number,
                                const Plane& plane,
-                               const DepthNoise& noise,
-                               float max_sigmas)
+                               const DepthNoise& tolerance)
 {
   const Border& border = borders_[number];
   if (static_cast<double> (border.continued) <
@@ -99,7 +95,7 @@ CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
     return turnOf (sums, plane.normal);
   };
   const SurfaceTurn all = turnWhere ([&] (std::uint32_t tile) -> unsigned {
-    const SamplesAtPlane at = lookBeside (samples, tile, plane, noise, max_sigmas);
+    const SamplesAtPlane at = lookBeside (samples, tile, plane, tolerance);
     return own_[tile] | (at.near & at.along);
   });
   if (!(all.over_all > min_turn && all.per_metre > min_turn_per_metre))

@@ -36,13 +36,12 @@ countSidesHere (const PointBlock& points,
                 std::uint32_t label,
                 const PlaneEquation& plane,
                 const PlaneEquation& other,
-                const DepthNoise& noise,
-                float max_sigmas)
+                const DepthNoise& tolerance)
 {
   SideCounts counts;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Mask own = areLabel (labels + i, label);
-    const Reach reach = reachOf (load (points, i), noise, max_sigmas);
+    const Reach reach = reachOf (load (points, i), tolerance);
     const Mask clear = hn::AndNot (isWithin (reach, other, off_share),
                                    hn::And (own, isWithin (reach, plane, on_share)));
     const Mask nearer = isNearer (reach.points, plane, other);
@@ -57,8 +56,7 @@ splitPointsHere (const PointBlock& points,
                  std::uint32_t a,
                  std::uint32_t b,
                  const PlaneEquation* equations,
-                 const DepthNoise& noise,
-                 float max_sigmas,
+                 const DepthNoise& tolerance,
                  SeenPlane seen,
                  std::uint32_t* labels)
 {
@@ -69,7 +67,7 @@ splitPointsHere (const PointBlock& points,
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const auto label = loadInts (labels + i);
     const auto of_pair = hn::Or (hn::Eq (label, a_label), hn::Eq (label, b_label));
-    const Reach reach = reachOf (load (points, i), noise, max_sigmas);
+    const Reach reach = reachOf (load (points, i), tolerance);
     const Mask on_both = hn::And (
         hn::RebindMask (Floats(), of_pair),
         hn::And (isWithin (reach, equations[a]), isWithin (reach, equations[b])));
@@ -86,14 +84,13 @@ dropUnclearHere (const PointBlock& points,
                  std::uint32_t label,
                  const PlaneEquation& plane,
                  const PlaneEquation& other,
-                 const DepthNoise& noise,
-                 float max_sigmas,
+                 const DepthNoise& tolerance,
                  SeenPlane seen,
                  std::uint32_t* labels)
 {
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Mask own = areLabel (labels + i, label);
-    const Reach reach = reachOf (load (points, i), noise, max_sigmas);
+    const Reach reach = reachOf (load (points, i), tolerance);
     // The inverses of the ranges of both planes, relative to that of the point, times both
     // of their distances to the sensor: where negative, a plane is infinitely far away.
     const V a = hn::Neg (dot (plane, reach.points)),
@@ -129,11 +126,10 @@ countSides (const PointBlock& points,
             std::uint32_t label,
             const PlaneEquation& plane,
             const PlaneEquation& other,
-            const DepthNoise& noise,
-            float max_sigmas)
+            const DepthNoise& tolerance)
 {
   return HWY_DYNAMIC_DISPATCH (countSidesHere) (
-      points, labels, label, plane, other, noise, max_sigmas);
+      points, labels, label, plane, other, tolerance);
 }
 
 void
@@ -141,13 +137,12 @@ splitPoints (const PointBlock& points,
              std::uint32_t a,
              std::uint32_t b,
              const PlaneEquation* equations,
-             const DepthNoise& noise,
-             float max_sigmas,
+             const DepthNoise& tolerance,
              SeenPlane seen,
              std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (splitPointsHere)
-  (points, a, b, equations, noise, max_sigmas, seen, labels);
+  (points, a, b, equations, tolerance, seen, labels);
 }
 
 void
@@ -155,13 +150,12 @@ dropUnclear (const PointBlock& points,
              std::uint32_t label,
              const PlaneEquation& plane,
              const PlaneEquation& other,
-             const DepthNoise& noise,
-             float max_sigmas,
+             const DepthNoise& tolerance,
              SeenPlane seen,
              std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (dropUnclearHere)
-  (points, label, plane, other, noise, max_sigmas, seen, labels);
+  (points, label, plane, other, tolerance, seen, labels);
 }
 
 } // namespace rgbd_planes

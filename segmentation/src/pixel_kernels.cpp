@@ -91,23 +91,21 @@ assignPointsHere (const PointBlock& points,
                   const std::int32_t* samples,
                   const TilePlanes& planes,
                   const PlaneEquation* equations,
-                  const DepthNoise& noise,
-                  float max_sigmas,
+                  const DepthNoise& tolerance,
                   std::uint32_t* labels)
 {
-  const V farthest = set (noise.maxSquaredRange());
+  const V farthest = set (tolerance.maxSquaredRange());
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Points p = load (points, i);
     const V squared_range = squaredLength (p);
     const Mask measured =
         hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
                  hn::Le (squared_range, farthest));
-    const V sigma = sigmaOf (noise, squared_range);
     const V range = hn::Sqrt (squared_range);
     Nearest nearest = {p,
                        range,
                        hn::LoadU (Ints(), samples + i),
-                       hn::Mul (set (max_sigmas), sigma),
+                       sigmaOf (tolerance, squared_range),
                        range,
                        setInts (unlabelled)};
     for (const TilePlane& plane : planes)
@@ -191,12 +189,11 @@ assignPoints (const PointBlock& points,
               const std::int32_t* samples,
               const TilePlanes& planes,
               const PlaneEquation* equations,
-              const DepthNoise& noise,
-              float max_sigmas,
+              const DepthNoise& tolerance,
               std::uint32_t* labels)
 {
   HWY_DYNAMIC_DISPATCH (assignPointsHere)
-  (points, samples, planes, equations, noise, max_sigmas, labels);
+  (points, samples, planes, equations, tolerance, labels);
 }
 
 std::size_t

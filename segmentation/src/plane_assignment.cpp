@@ -14,7 +14,7 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Pixels are on a plane up to so many times max_sigmas away from it: in tiles of which it owns
+/** Pixels are on a plane up to so many times the tolerance away from it: in tiles of which it owns
  * all samples, and elsewhere, as points within noise may be on the foot of what stands there. */
 constexpr float inner_reach = 1.15f, border_reach = 0.9f;
 
@@ -77,8 +77,7 @@ PlaneAssignment::layOutTiles (const PlaneSamples& samples,
 void
 PlaneAssignment::assignSamples (const PlaneSamples& samples,
                                 const std::vector<Plane>& planes,
-                                const DepthNoise& noise,
-                                float max_sigmas)
+                                const DepthNoise& tolerance)
 {
   weighted_moments_.assign (planes.size(), PlaneMoments{});
   normals_.assign (planes.size(), {});
@@ -93,9 +92,9 @@ PlaneAssignment::assignSamples (const PlaneSamples& samples,
     if (planesOf (tile).size() == 0)
       continue;
     const PointBlock points = samplesFrom (samples, begin);
-    assignTile (points, own, tile, noise, max_sigmas);
+    assignTile (points, own, tile, tolerance);
     sumSamples (samples, tile, weighted_moments_);
-    compareNormals (samples, tile, noise.normal_scatter);
+    compareNormals (samples, tile, tolerance.normal_scatter);
     std::copy_n (tile_labels_.begin(), PlaneSamples::tile_size, &sample_labels_[begin]);
   }
 }
@@ -134,6 +133,8 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
                                const DepthNoise& noise,
                                float max_sigmas)
 {
+  const DepthNoise inner = noise.times (inner_reach * max_sigmas),
+                   border = noise.times (border_reach * max_sigmas);
   layOutTiles (samples, points);
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
@@ -155,8 +156,7 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
         assignTile ({x_.data(), y_.data(), z_.data(), pixels.offsets.size()},
                     pixels.samples.data(),
                     tile,
-                    noise,
-                    (is_inner_[tile] ? inner_reach : border_reach) * max_sigmas);
+                    is_inner_[tile] ? inner : border);
         sumPixels (pixels.offsets.size(), samples.measuredPoint (tile), tile, noise);
       }
       const auto row = static_cast<std::size_t> (pixels.width);
@@ -193,17 +193,15 @@ void
 PlaneAssignment::assignTile (const PointBlock& points,
                              const std::int32_t* samples_of_points,
                              std::size_t tile,
-                             const DepthNoise& noise,
-                             float max_sigmas)
+                             const DepthNoise& tolerance)
 {
   assignPoints (points,
                 samples_of_points,
                 planesOf (tile),
                 equations_.data(),
-                noise,
-                max_sigmas,
+                tolerance,
                 tile_labels_.data());
-  splitTile (points, tile, noise, max_sigmas);
+  splitTile (points, tile, tolerance);
 }
 
 /** Adds the samples of the tile to the moments of the planes whose labels they have. */

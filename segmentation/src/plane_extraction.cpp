@@ -115,13 +115,13 @@ PlaneExtraction::assign (const OrganizedPoints& points,
     return;
   }
   assignment_.findPlanes (samples_, owners_, parts_, planes_);
+  const DepthNoise tolerance = parameters_.noise.times (max_sigmas_);
   // Samples near a crease may lie nearer to the plane on its other side.
-  assignment_.assignSamples (samples_, planes_, parameters_.noise, max_sigmas_);
+  assignment_.assignSamples (samples_, planes_, tolerance);
   fitToSamples();
   if (parameters_.additions.intersections) {
-    assignment_.findIntersections (samples_, planes_, parameters_.noise, max_sigmas_);
-    assignment_.leaveOutUnclearSamples (
-        samples_, planes_, parameters_.noise, max_sigmas_);
+    assignment_.findIntersections (samples_, planes_, tolerance);
+    assignment_.leaveOutUnclearSamples (samples_, planes_, tolerance);
     fitToSamples();
   }
   assignment_.assignPixels (
@@ -225,7 +225,8 @@ PlaneExtraction::joinParts()
   for (const PlaneMoments& moments : moments_)
     planes_.push_back (planeOf (moments.inverseDistance()));
   if (parameters_.additions.patches)
-    patches_.find (samples_, owners_, parts_, planes_, parameters_.noise, max_sigmas_);
+    patches_.find (
+        samples_, owners_, parts_, planes_, parameters_.noise.times (max_sigmas_));
 }
 
 /** Samples go to the planes that their own ones were joined to. */

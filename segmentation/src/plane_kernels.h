@@ -114,8 +114,7 @@ SamplesAtPlane
 samplesAtPlane (const PlaneSamples& samples,
                 std::size_t begin,
                 const PlaneEquation& plane,
-                const DepthNoise& noise,
-                float max_sigmas,
+                const DepthNoise& tolerance,
                 float least_cosine);
 
 /** Points in arrays of their coordinates, as many as fill vectors of
@@ -151,14 +150,14 @@ loadPixels (const float* first,
 /** Gives each point the nearest one of \a planes, or \ref unlabelled.
  * \param[in] samples the sample in the tile whose normal stands for that of the point
  * \param[in] equations by the numbers of planes
+ * \param[in] tolerance how far from its plane a point may lie
  */
 void
 assignPoints (const PointBlock& points,
               const std::int32_t* samples,
               const TilePlanes& planes,
               const PlaneEquation* equations,
-              const DepthNoise& noise,
-              float max_sigmas,
+              const DepthNoise& tolerance,
               std::uint32_t* labels);
 
 /** Looks at the points with \a label that clearly lie on \a plane, and clearly not on
@@ -169,8 +168,7 @@ countSides (const PointBlock& points,
             std::uint32_t label,
             const PlaneEquation& plane,
             const PlaneEquation& other,
-            const DepthNoise& noise,
-            float max_sigmas);
+            const DepthNoise& tolerance);
 
 /** Labels anew the points of planes \a a and \a b that lie on both: by which one is nearer
  * along their viewing rays.
@@ -181,8 +179,7 @@ splitPoints (const PointBlock& points,
              std::uint32_t a,
              std::uint32_t b,
              const PlaneEquation* equations,
-             const DepthNoise& noise,
-             float max_sigmas,
+             const DepthNoise& tolerance,
              SeenPlane seen,
              std::uint32_t* labels);
 
@@ -196,8 +193,7 @@ dropUnclear (const PointBlock& points,
              std::uint32_t label,
              const PlaneEquation& plane,
              const PlaneEquation& other,
-             const DepthNoise& noise,
-             float max_sigmas,
+             const DepthNoise& tolerance,
              SeenPlane seen,
              std::uint32_t* labels);
 

@@ -24,8 +24,7 @@ constexpr double min_clear_share = 0.3;
 void
 PlaneAssignment::findIntersections (const PlaneSamples& samples,
                                     const std::vector<Plane>& planes,
-                                    const DepthNoise& noise,
-                                    float max_sigmas)
+                                    const DepthNoise& tolerance)
 {
   setEquations (planes);
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
@@ -47,8 +46,7 @@ PlaneAssignment::findIntersections (const PlaneSamples& samples,
                                               plane.number,
                                               equations_[plane.number],
                                               equations_[other.number],
-                                              noise,
-                                              max_sigmas);
+                                              tolerance);
         if (counts.nearer + counts.farther > 0)
           intersections_.add (plane.number, other.number, counts);
       }
@@ -60,14 +58,13 @@ PlaneAssignment::findIntersections (const PlaneSamples& samples,
 void
 PlaneAssignment::leaveOutUnclearSamples (const PlaneSamples& samples,
                                          const std::vector<Plane>& planes,
-                                         const DepthNoise& noise,
-                                         float max_sigmas)
+                                         const DepthNoise& tolerance)
 {
   setEquations (planes);
   unclear_moments_.assign (planes.size(), PlaneMoments{});
   for (std::size_t tile = 0; tile < samples.tiles(); ++tile) {
     const PointBlock points = samplesFrom (samples, tile * PlaneSamples::tile_size);
-    if (findUnclear (points, tile, noise, max_sigmas))
+    if (findUnclear (points, tile, tolerance))
       sumSamples (samples, tile, unclear_moments_);
   }
   for (std::size_t k = 0; k < planes.size(); ++k) {
@@ -84,8 +81,7 @@ PlaneAssignment::leaveOutUnclearSamples (const PlaneSamples& samples,
 bool
 PlaneAssignment::findUnclear (const PointBlock& points,
                               std::size_t tile,
-                              const DepthNoise& noise,
-                              float max_sigmas)
+                              const DepthNoise& tolerance)
 {
   const std::uint32_t* own = &sample_labels_[tile * PlaneSamples::tile_size];
   bool is_any = false;
@@ -103,8 +99,7 @@ PlaneAssignment::findUnclear (const PointBlock& points,
                    plane.number,
                    equations_[plane.number],
                    equations_[other.number],
-                   noise,
-                   max_sigmas,
+                   tolerance,
                    seen,
                    tile_labels_.data());
     }
@@ -117,8 +112,7 @@ PlaneAssignment::findUnclear (const PointBlock& points,
 void
 PlaneAssignment::splitTile (const PointBlock& points,
                             std::size_t tile,
-                            const DepthNoise& noise,
-                            float max_sigmas)
+                            const DepthNoise& tolerance)
 {
   const TilePlanes around = planesOf (tile);
   for (const TilePlane* a = around.begin(); a != around.end(); ++a)
@@ -129,8 +123,7 @@ PlaneAssignment::splitTile (const PointBlock& points,
                      a->number,
                      b->number,
                      equations_.data(),
-                     noise,
-                     max_sigmas,
+                     tolerance,
                      seen,
                      tile_labels_.data());
     }

@@ -117,13 +117,13 @@ struct Reach {
 };
 
 HWY_INLINE Reach
-reachOf (const Points& points, const DepthNoise& noise, float max_sigmas)
+reachOf (const Points& points, const DepthNoise& tolerance)
 {
   const V squared_range = squaredLength (points);
   return {points,
           squared_range,
           hn::Sqrt (squared_range),
-          hn::Mul (set (max_sigmas), sigmaOf (noise, squared_range))};
+          sigmaOf (tolerance, squared_range)};
 }
 
 /** The points that are off a plane by no more than \a share of their reach. */

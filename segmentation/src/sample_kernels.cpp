@@ -160,13 +160,12 @@ SamplesAtPlane
 samplesAtPlaneHere (const PlaneSamples& samples,
                     std::size_t begin,
                     const PlaneEquation& plane,
-                    const DepthNoise& noise,
-                    float max_sigmas,
+                    const DepthNoise& tolerance,
                     float least_cosine)
 {
   unsigned near = 0, along = 0;
   forEachVectorFrom (begin, [&] (std::size_t i) {
-    const Reach reach = reachOf (pointsAt (samples, i), noise, max_sigmas);
+    const Reach reach = reachOf (pointsAt (samples, i), tolerance);
     const V cosine = dot (plane, normalsAt (samples, i));
     near |= bitsOf (hn::And (
                 hn::Gt (reach.squared_range, set (DepthNoise::min_squared_range)),
@@ -245,12 +244,11 @@ SamplesAtPlane
 samplesAtPlane (const PlaneSamples& samples,
                 std::size_t begin,
                 const PlaneEquation& plane,
-                const DepthNoise& noise,
-                float max_sigmas,
+                const DepthNoise& tolerance,
                 float least_cosine)
 {
   return HWY_DYNAMIC_DISPATCH (samplesAtPlaneHere) (
-      samples, begin, plane, noise, max_sigmas, least_cosine);
+      samples, begin, plane, tolerance, least_cosine);
 }
 
 } // namespace rgbd_planes

@@ -27,15 +27,14 @@ public:
   /** \brief Looks at all planes.
    * \param[in] owners for each sample the plane it belongs to, or less than 0
    * \param[in] parts what each plane owns in each tile
-   * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
+   * \param[in] tolerance how far from its plane a point may lie
    */
   void
   find (const PlaneSamples& samples,
         const std::vector<std::int32_t>& owners,
         const std::vector<TilePart>& parts,
         const std::vector<Plane>& planes,
-        const DepthNoise& noise,
-        float max_sigmas);
+        const DepthNoise& tolerance);
 
   bool
   isPatch (std::size_t plane) const
@@ -56,8 +55,7 @@ private:
                   const std::vector<TilePart>& parts,
                   std::uint32_t number,
                   const Plane& plane,
-                  const DepthNoise& noise,
-                  float max_sigmas);
+                  const DepthNoise& tolerance);
 
   void
   findTiles (const PlaneSamples& samples,

@@ -64,7 +64,7 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  * the image.
  *
  * How near a plane is counts along the viewing ray, where depth errs, in standard
- * deviations of depth; beyond \a max_sigmas it is too far, for pixels 1.15 times that in
+ * deviations of depth; beyond a tolerance it is too far, for pixels 1.15 times that in
  * tiles of which it owns all samples, and 0.9 times in others. A plane is present in a tile
  * of samples and in the eight around it when it owns at least four samples of the tile;
  * it is out of the question for the pixels of a sample with a trusted normal that
@@ -92,20 +92,20 @@ public:
   keepOwners (const std::vector<std::int32_t>& owners);
 
   /** \brief Assigns samples to \a planes: those that were found, which may have been
-   * fitted anew. */
+   * fitted anew.
+   * \param[in] tolerance how far from its plane a point may lie
+   */
   void
   assignSamples (const PlaneSamples& samples,
                  const std::vector<Plane>& planes,
-                 const DepthNoise& noise,
-                 float max_sigmas);
+                 const DepthNoise& tolerance);
 
   /** \brief Looks for \a planes that meet, once samples were assigned: of all points on
    * both, each then goes to the one on its side of the line of intersection. */
   void
   findIntersections (const PlaneSamples& samples,
                      const std::vector<Plane>& planes,
-                     const DepthNoise& noise,
-                     float max_sigmas);
+                     const DepthNoise& tolerance);
 
   /** \brief Leaves the samples near lines of intersection out of the sums of the planes that
    * meet there, but for planes of which little would be left.
@@ -116,11 +116,11 @@ public:
   void
   leaveOutUnclearSamples (const PlaneSamples& samples,
                           const std::vector<Plane>& planes,
-                          const DepthNoise& noise,
-                          float max_sigmas);
+                          const DepthNoise& tolerance);
 
   /** \brief Assigns all points.
    * \param[in] selected not 0 for the points to look at; empty for all
+   * \param[in] max_sigmas the tolerance, in standard deviations of depth
    */
   void
   assignPixels (const OrganizedPoints& points,
@@ -194,10 +194,7 @@ private:
                   std::size_t tile);
 
   bool
-  findUnclear (const PointBlock& points,
-               std::size_t tile,
-               const DepthNoise& noise,
-               float max_sigmas);
+  findUnclear (const PointBlock& points, std::size_t tile, const DepthNoise& tolerance);
 
   void
   layOutTiles (const PlaneSamples& samples, const OrganizedPoints& points);
@@ -222,17 +219,13 @@ private:
   }
 
   void
-  splitTile (const PointBlock& points,
-             std::size_t tile,
-             const DepthNoise& noise,
-             float max_sigmas);
+  splitTile (const PointBlock& points, std::size_t tile, const DepthNoise& tolerance);
 
   void
   assignTile (const PointBlock& points,
               const std::int32_t* samples_of_points,
               std::size_t tile,
-              const DepthNoise& noise,
-              float max_sigmas);
+              const DepthNoise& tolerance);
 
   void
   sumSamples (const PlaneSamples& samples,
