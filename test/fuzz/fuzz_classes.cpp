@@ -4,49 +4,27 @@
 // All classes of the library, one after the other on the same clouds, as a robot would use
 // them: with inputs, indices and settings of any kind, set in any order.
 
-#include "any_values.h"
+#include "any_settings.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/features/two_run_normal.h>
-#include <pcl/filters/camera_to_base.h>
 #include <pcl/filters/depth_warp_correction.h>
 #include <pcl/filters/obstacle_filter.h>
 #include <pcl/filters/project_onto_planes.h>
-#include <pcl/segmentation/normal_space_plane_segmentation.h>
-#include <pcl/segmentation/obstacle_detection.h>
-#include <pcl/segmentation/supported_object_extraction.h>
+#include <pcl/segmentation/depth_noise_estimation.h>
+#include <pcl/segmentation/plane_tracker.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 using namespace fuzz;
 using Normals = pcl::PointCloud<pcl::Normal>;
 using Labels = pcl::PointCloud<pcl::Label>;
-using pcl::PointXYZ;
 
 namespace {
-
-/** A pose, now and then none that is rigid. */
-Eigen::Affine3f
-anyPose (FuzzedDataProvider& data)
-{
-  Eigen::Affine3f pose = pcl::rgbd_planes::defaultCameraToBase();
-  const auto turn = data.ConsumeFloatingPointInRange (-3.f, 3.f);
-  pose.rotate (Eigen::AngleAxisf (turn, Eigen::Vector3f::UnitX()));
-  pose.translation().z() = data.ConsumeFloatingPointInRange (-1.f, 3.f);
-  if (data.ConsumeIntegralInRange (0, 9) == 0)
-    pose.matrix() (data.ConsumeIntegralInRange (0, 2),
-                   data.ConsumeIntegralInRange (0, 3)) = anyFloat (data);
-  return pose;
-}
-
-pcl::rgbd_planes::DepthNoise
-anyNoise (FuzzedDataProvider& data)
-{
-  return {anyFloat (data), anyFloat (data), anyFloat (data)};
-}
 
 void
 expectIndices (const pcl::Indices& indices, std::size_t size)
@@ -68,22 +46,25 @@ public:
   void
   step ()
   {
-    const auto todo = data_.PickValueInArray ({&Pipeline::takeCloud,
-                                               &Pipeline::takeIndices,
-                                               &Pipeline::changeNormals,
-                                               &Pipeline::changeTwoRunNormals,
-                                               &Pipeline::changePlanes,
-                                               &Pipeline::changeObjects,
-                                               &Pipeline::changeObstacles,
-                                               &Pipeline::spoilResults,
-                                               &Pipeline::runAll,
-                                               &Pipeline::runAll,
-                                               &Pipeline::estimateNormals,
-                                               &Pipeline::estimateTwoRunNormals,
-                                               &Pipeline::findPlanes,
-                                               &Pipeline::findObjects,
-                                               &Pipeline::findObstacles,
-                                               &Pipeline::filter});
+    const auto todo =
+        data_.PickValueInArray ({&Pipeline::takeCloud,
+                                 &Pipeline::takeIndices,
+                                 &Pipeline::change<&Pipeline::estimation_>,
+                                 &Pipeline::change<&Pipeline::two_run_estimation_>,
+                                 &Pipeline::change<&Pipeline::segmentation_>,
+                                 &Pipeline::change<&Pipeline::extraction_>,
+                                 &Pipeline::change<&Pipeline::detection_>,
+                                 &Pipeline::spoilResults,
+                                 &Pipeline::runAll,
+                                 &Pipeline::runAll,
+                                 &Pipeline::estimateNormals,
+                                 &Pipeline::estimateTwoRunNormals,
+                                 &Pipeline::findPlanes,
+                                 &Pipeline::trackPlanes,
+                                 &Pipeline::measureNoise,
+                                 &Pipeline::findObjects,
+                                 &Pipeline::findObstacles,
+                                 &Pipeline::filter});
     (this->*todo)();
   }
 
@@ -100,100 +81,17 @@ private:
   void
   takeIndices ()
   {
-    indices_ = anyIndices (data_, cloud_ ? cloud_->size() : 0);
-  }
-
-  void
-  changeNormals ()
-  {
-    using Estimation = decltype (estimation_);
-    estimation_.setNumberOfThreads (data_.ConsumeIntegralInRange (0, 3));
-    estimation_.setDepthDependentSmoothing (data_.ConsumeBool());
-    estimation_.setEdgeAware (data_.ConsumeBool());
-    estimation_.setScaleSelection (data_.ConsumeBool());
-    estimation_.setDepthNoise (anyNoise (data_));
-    estimation_.setBorderPolicy (data_.ConsumeBool()
-                                     ? Estimation::BORDER_POLICY_IGNORE
-                                     : Estimation::BORDER_POLICY_MIRROR);
-    switch (data_.ConsumeIntegralInRange (0, 4)) {
-    case 0:
-      return estimation_.setNormalSmoothingSize (anyFloat (data_));
-    case 1:
-      return estimation_.setRectSize (data_.ConsumeIntegral<int>(),
-                                      data_.ConsumeIntegralInRange (-1, 20));
-    case 2:
-      return estimation_.setMaxDepthChangeFactor (anyFloat (data_));
-    case 3:
-      return estimation_.setViewPoint (
-          anyFloat (data_), anyFloat (data_), anyFloat (data_));
-    default:
-      return estimation_.useSensorOriginAsViewPoint();
-    }
-  }
-
-  void
-  changeTwoRunNormals ()
-  {
-    two_run_estimation_.setNumberOfThreads (data_.ConsumeIntegralInRange (0, 3));
-    two_run_estimation_.setRadius (
-        anyFloat (data_), anyFloat (data_), anyFloat (data_));
-    two_run_estimation_.setWindowSize (data_.ConsumeIntegralInRange (-1, 70));
-    two_run_estimation_.setViewPoint (
-        anyFloat (data_), anyFloat (data_), anyFloat (data_));
-    const bool has_surface = data_.ConsumeIntegralInRange (0, 3) == 0;
-    two_run_estimation_.setSearchSurface (has_surface ? anyCloud (data_) : nullptr);
-  }
-
-  void
-  changePlanes ()
-  {
-    using Grid = pcl::rgbd_planes::NormalSpaceGrid;
-    segmentation_.setMinInliers (data_.ConsumeIntegralInRange (0, 300));
-    segmentation_.setAngularThreshold (anyFloat (data_));
-    segmentation_.setDistanceThreshold (anyFloat (data_));
-    segmentation_.setMaximumCurvature (anyFloat (data_));
-    segmentation_.setMinimumNearNormals (anyFloat (data_));
-    segmentation_.setDepthNoise (anyNoise (data_));
-    segmentation_.setNormalSpaceGrid (data_.ConsumeBool() ? Grid::voxels
-                                                          : Grid::spherical);
-    segmentation_.setProjectPoints (data_.ConsumeBool());
-  }
-
-  void
-  changeObjects ()
-  {
-    extraction_.setCameraToBase (anyPose (data_));
-    extraction_.setHorizontalTolerance (anyFloat (data_));
-    extraction_.setPlaneHeights (anyFloat (data_), anyFloat (data_));
-    extraction_.setMaxObjectHeight (anyFloat (data_));
-    extraction_.setMinObjectHeight (anyFloat (data_));
-    extraction_.setHullTolerance (anyFloat (data_));
-    extraction_.setMaxOverhang (anyFloat (data_));
-    extraction_.setClusterTolerance (anyFloat (data_));
-    extraction_.setDepthNoise (anyNoise (data_));
-    extraction_.setMinPoints (data_.ConsumeIntegralInRange (0, 60));
-    extraction_.setGraspableSides (anyFloat (data_), anyFloat (data_));
-    extraction_.setSplitAtConcaveEdges (data_.ConsumeBool());
-  }
-
-  void
-  changeObstacles ()
-  {
-    detection_.setCameraToBase (anyPose (data_));
-    detection_.setFloorTolerances (anyFloat (data_), anyFloat (data_));
-    detection_.setMinObstacleHeight (anyFloat (data_));
-    detection_.setMinDropDepth (anyFloat (data_));
-    detection_.setMinClusterSize (data_.ConsumeIntegralInRange (0, 20));
-    detection_.setDepthNoise (anyNoise (data_));
-    detection_.setScanLimits ({anyFloat (data_),
-                               anyFloat (data_),
-                               anyFloat (data_),
-                               anyFloat (data_),
-                               anyFloat (data_),
-                               anyFloat (data_)});
     const std::size_t size = cloud_ ? cloud_->size() : 0;
+    indices_ = anyIndices (data_, size);
     detection_.setExcludedIndices (data_.ConsumeBool() ? anyIndices (data_, size)
                                                        : nullptr);
+  }
+
+  template <auto tool>
+  void
+  change ()
+  {
+    setAny (data_, this->*tool);
   }
 
   /** Normals, planes and labels of others may be anything. */
@@ -223,6 +121,8 @@ private:
   {
     estimateNormals();
     findPlanes();
+    trackPlanes();
+    measureNoise();
     findObjects();
     findObstacles();
     filter();
@@ -300,6 +200,28 @@ private:
   }
 
   void
+  trackPlanes ()
+  {
+    std::vector<std::uint32_t> ids;
+    tracker_.track (planes_, *labels_, ids);
+    expect (ids.empty() || ids.size() == planes_.size());
+    std::sort (ids.begin(), ids.end());
+    expect (std::adjacent_find (ids.begin(), ids.end()) == ids.end());
+  }
+
+  void
+  measureNoise ()
+  {
+    if (!cloud_ || !noise_estimation_.addFrame (*cloud_))
+      return;
+    pcl::rgbd_planes::DepthNoise noise;
+    if (noise_estimation_.estimate (noise))
+      expect (noise.sigma (1.f) > 0.f && std::isfinite (noise.sigma (1.f)) &&
+              noise.normal_scatter >= 1.f &&
+              noise.normal_scatter <= pcl::rgbd_planes::DepthNoise::max_normal_scatter);
+  }
+
+  void
   findObjects ()
   {
     setInputs (extraction_);
@@ -323,7 +245,7 @@ private:
     for (const auto& obstacle : obstacles)
       expectIndices (obstacle.indices, cloud_->size());
     for (const float range : detection_.getScan().ranges)
-      expect (range >= 0.f);
+      expect (range >= 0.f || range == -std::numeric_limits<float>::infinity());
   }
 
   template <typename Filter>
@@ -385,6 +307,8 @@ private:
   pcl::NormalSpacePlaneSegmentation<PointXYZ, pcl::Normal> segmentation_;
   pcl::SupportedObjectExtraction<PointXYZ, pcl::Normal> extraction_;
   pcl::ObstacleDetection<PointXYZ, pcl::Normal> detection_;
+  pcl::PlaneTracker tracker_;
+  pcl::DepthNoiseEstimation noise_estimation_;
   pcl::ObstacleFilter<PointXYZ> obstacle_filter_;
   pcl::CameraToBase<PointXYZ> to_base_;
   pcl::ProjectOntoPlanes<PointXYZ> projection_;
