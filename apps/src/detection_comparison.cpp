@@ -98,9 +98,9 @@ DetectionComparison::add (const Frame& frame)
 std::string
 DetectionComparison::table() const
 {
-  std::string text =
-      "size   objects      %  apart %  false  points %  obstacles      %  false floor %"
-      "      Hz\n";
+  std::string text = "size   objects      %  apart %  in pieces  false  points %  "
+                     "obstacles      %  false floor %"
+                     "      Hz\n";
   for (const auto& result : results_) {
     const ObstacleEvaluation& o = result.obstacles;
     const auto figures = objectFigures (result.objects);
@@ -108,10 +108,10 @@ DetectionComparison::table() const
       const auto& value = figures.at (key);
       return value.is_null() ? "-" : number (value.get<double>(), format);
     };
-    text += (boost::format ("%-5s %8d %6s %8s %6s %9s %10d %6s %14s %7.1f\n") %
+    text += (boost::format ("%-5s %8d %6s %8s %10s %6s %9s %10d %6s %14s %7.1f\n") %
              result.resolution % result.objects.all().objects %
              figure ("objects_percent", "%.1f") % figure ("apart_50_percent", "%.1f") %
-             figure ("false_objects", "%.0f") %
+             figure ("objects_in_pieces", "%.0f") % figure ("false_objects", "%.0f") %
              figure ("false_object_points_percent", "%.3f") % o.obstacles %
              number (o.obstaclesPercent(), "%.1f") %
              number (o.falsePointsPercent(), "%.3f") %

@@ -78,6 +78,7 @@ objectFigures (const ObjectEvaluation& e)
   return {{"objects_percent", percentOf (all.found_50, all.objects)},
           {"false_objects", count (e.false_objects)},
           {"false_object_points_percent", e.falsePointsPercent()},
+          {"objects_in_pieces", count (all.in_pieces)},
           {"objects_80_percent", percentOf (all.found_80, all.objects)},
           {"objects_apart", count (e.apart.objects)},
           {"apart_50_percent", percentOf (e.apart.found_50, e.apart.objects)},
@@ -131,10 +132,10 @@ ObjectComparison::table() const
 {
   std::string text = "objects          size        ms   apart  at 0.5  at 0.8  "
                      "touching  at 0.5  at 0.8  "
-                     "all at 0.5  at 0.8  false  graspable  boxes\n"
+                     "all at 0.5  at 0.8  in pieces  false  graspable  boxes\n"
                      "                                              %       %          "
                      "       %       %  "
-                     "         %       %         right %  right %\n";
+                     "         %       %                    right %  right %\n";
   for (const auto& result : results_) {
     const ObjectEvaluation& e = result.evaluation;
     const auto counts = [] (const ObjectCounts& c) {
@@ -143,14 +144,15 @@ ObjectComparison::table() const
     };
     const auto apart = counts (e.apart), touching = counts (e.touching),
                all = counts (e.all());
-    text += (boost::format (
-                 "%-15s %-5s %9.2f %7d %7s %7s %9d %7s %7s %11s %7s %6d %10s %6s\n") %
-             result.method % result.resolution % median (result.milliseconds) %
-             e.apart.objects % apart.first % apart.second % e.touching.objects %
-             touching.first % touching.second % all.first % all.second %
-             e.false_objects % cell (percentOf (e.graspable_right, e.sized)) %
-             cell (percentOf (e.boxes_right, e.boxes)))
-                .str();
+    text +=
+        (boost::format (
+             "%-15s %-5s %9.2f %7d %7s %7s %9d %7s %7s %11s %7s %10d %6d %10s %6s\n") %
+         result.method % result.resolution % median (result.milliseconds) %
+         e.apart.objects % apart.first % apart.second % e.touching.objects %
+         touching.first % touching.second % all.first % all.second % e.all().in_pieces %
+         e.false_objects % cell (percentOf (e.graspable_right, e.sized)) %
+         cell (percentOf (e.boxes_right, e.boxes)))
+            .str();
   }
   return text;
 }

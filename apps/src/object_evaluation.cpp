@@ -27,6 +27,8 @@ struct Region {
   Eigen::AlignedBox3f bounds;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   bool is_apart = true;
+  /** With at least half of their points on it. */
+  std::size_t clusters = 0;
 
   bool
   isAskedFor () const
@@ -145,6 +147,7 @@ ObjectCounts::operator+= (const ObjectCounts& other)
   objects += other.objects;
   found_50 += other.found_50;
   found_80 += other.found_80;
+  in_pieces += other.in_pieces;
   return *this;
 }
 
@@ -173,6 +176,8 @@ ObjectEvaluation::add (const OrganizedPoints& points,
       ++false_objects;
       false_points_ += object.indices.size();
     }
+    for (const auto& [id, both] : common)
+      regions[id].clusters += 2 * both >= object.indices.size();
     for (const auto& [id, both] : common) {
       const Region& region = regions[id];
       const double iou =
@@ -190,8 +195,11 @@ ObjectEvaluation::add (const OrganizedPoints& points,
     }
   }
   for (const auto& [id, region] : regions)
-    if (region.isAskedFor())
-      ++(region.is_apart ? apart : touching).objects;
+    if (region.isAskedFor()) {
+      ObjectCounts& counts = region.is_apart ? apart : touching;
+      ++counts.objects;
+      counts.in_pieces += region.clusters > 1;
+    }
 }
 
 void

@@ -29,18 +29,18 @@ constexpr float min_bulge = 0.4f;
 } // namespace
 
 void
-HollowThings::compute (const OrganizedPoints& points,
-                       const ObjectClusters& clustering,
-                       const std::vector<SupportPlane>& supports,
-                       const std::vector<ObjectCluster>& clusters)
+HollowThings::find (const OrganizedPoints& points,
+                    float pixel_angle,
+                    const OcclusionSteps& occlusions,
+                    const std::vector<SupportPlane>& supports,
+                    const std::vector<ObjectCluster>& clusters,
+                    DisjointSets& sets)
 {
   points_ = points;
-  pixel_angle_ = clustering.pixelAngle();
-  const auto count = static_cast<std::uint32_t> (clusters.size());
-  is_inside_.assign (count, false);
-  sets_.start (count);
-  occlusions_.compute (points, clustering, clusters);
-  const auto& steps = occlusions_.steps();
+  pixel_angle_ = pixel_angle;
+  occlusions_ = &occlusions;
+  is_inside_.assign (clusters.size(), false);
+  const auto& steps = occlusions.steps();
   for (auto first = steps.begin(), last = first; first != steps.end(); first = last) {
     const std::size_t front = first->front, behind = first->behind;
     last = std::find_if (first, steps.end(), [&] (const OcclusionStep& step) {
@@ -50,10 +50,8 @@ HollowThings::compute (const OrganizedPoints& points,
     if (clusters[front].support != clusters[behind].support || !isHollow (first, last))
       continue;
     is_inside_[behind] = true;
-    sets_.join (static_cast<std::uint32_t> (front),
-                static_cast<std::uint32_t> (behind));
+    sets.join (static_cast<std::uint32_t> (front), static_cast<std::uint32_t> (behind));
   }
-  collect (clusters);
 }
 
 bool
@@ -63,7 +61,7 @@ HollowThings::isHollow (Steps first, Steps last)
     return true;
   // Where more is between, something else may hide the rim.
   const auto isClose = [&] (const OcclusionStep& step) {
-    return step.skipped <= occlusions_.maxGap();
+    return step.skipped <= occlusions_->maxGap();
   };
   first = std::find_if (first, last, isClose);
   while (last != first && !isClose (*(last - 1)))
@@ -96,7 +94,7 @@ HollowThings::areWalls (Steps first, Steps last)
     const float* edge = points_[step.edge];
     const Vector2f place = support_->project (edge);
     float sum = 0.f, count = 1.f;
-    occlusions_.forEachBelow (step, [&] (std::uint32_t i) {
+    occlusions_->forEachBelow (step, [&] (std::uint32_t i) {
       sum += (support_->project (points_[i]) - place).norm();
       ++count;
     });
@@ -107,7 +105,7 @@ HollowThings::areWalls (Steps first, Steps last)
   };
   const auto areMostOf = [&] (std::size_t cluster) {
     return static_cast<float> (last - first) >=
-           min_common * static_cast<float> (occlusions_.linesOf (cluster));
+           min_common * static_cast<float> (occlusions_->linesOf (cluster));
   };
   return !is_inside_[first->front] && areMostOf (first->front) &&
          areMostOf (first->behind) && median (first, last, thicknessOf) <= max_wall;
@@ -117,7 +115,7 @@ HollowThings::areWalls (Steps first, Steps last)
 bool
 HollowThings::isFoot (Steps first, Steps last)
 {
-  const auto ends = occlusions_.lowestAtEnds (first->behind);
+  const auto ends = occlusions_->lowestAtEnds (first->behind);
   const Vector2f left = support_->project (points_[ends[0]]);
   const Vector2f right = support_->project (points_[ends[1]]);
   const Vector2f center = 0.5f * (left + right), across = right - left;
@@ -163,31 +161,6 @@ HollowThings::medianHeight (Steps first,
 {
   return median (
       first, last, [&] (const OcclusionStep& step) { return heightOf (step.*point); });
-}
-
-/** What was joined is where the first of its clusters is. */
-void
-HollowThings::collect (const std::vector<ObjectCluster>& clusters)
-{
-  std::size_t count = 0;
-  thing_of_.resize (clusters.size());
-  for (std::uint32_t k = 0; k < clusters.size(); ++k) {
-    const std::uint32_t root = sets_.root (k);
-    const auto& runs = clusters[k].runs;
-    if (root != k) {
-      auto& joined = things_[thing_of_[root]].runs;
-      joined.insert (joined.end(), runs.begin(), runs.end());
-      std::sort (joined.begin(), joined.end(), [] (const auto& a, const auto& b) {
-        return a.first < b.first;
-      });
-      continue;
-    }
-    thing_of_[k] = count++;
-    things_.resize (std::max (things_.size(), count));
-    things_[thing_of_[k]].runs.assign (runs.begin(), runs.end());
-    things_[thing_of_[k]].support = clusters[k].support;
-  }
-  things_.resize (count);
 }
 
 } // namespace rgbd_planes

@@ -89,6 +89,21 @@ TEST_F (ObjectEvaluationTest, OneForOne)
   EXPECT_EQ (result.touching.found_50, 1u);
 }
 
+TEST_F (ObjectEvaluationTest, ObjectsInPieces)
+{
+  // Three pieces of one object; a merge of two, half of which is of either.
+  found_ = {{range (0, 33), {}, false},
+            {range (33, 66), {}, false},
+            {range (66, 100), {}, false},
+            {range (100, 300), {}, false}};
+  EXPECT_EQ (evaluate().apart.in_pieces, 1u);
+  EXPECT_EQ (evaluate().touching.in_pieces, 0u);
+  found_.push_back ({range (299, 301), {}, false}); // half of it lies on no object
+  EXPECT_EQ (evaluate().all().in_pieces, 2u);
+  found_.back().indices = range (299, 302); // most of it does
+  EXPECT_EQ (evaluate().all().in_pieces, 1u);
+}
+
 TEST_F (ObjectEvaluationTest, FalseObjects)
 {
   found_[0].indices = range (251, 350); // 49 points on an object, 50 on none

@@ -32,12 +32,14 @@ struct ObjectTruth {
   std::vector<TrueObject> objects;
 };
 
-/** \brief Objects of one kind: how many there are, and how many of them were found with an
- * intersection over union of points of at least 0.5 and 0.8. */
+/** \brief Objects of one kind: how many there are, how many of them were found with an
+ * intersection over union of points of at least 0.5 and 0.8, and how many are in pieces: two or
+ * more clusters have at least half of their points on them. */
 struct ObjectCounts {
   std::size_t objects = 0;
   std::size_t found_50 = 0;
   std::size_t found_80 = 0;
+  std::size_t in_pieces = 0;
 
   ObjectCounts&
   operator+= (const ObjectCounts& other);

@@ -14,7 +14,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Joins what is seen of a cup, a bowl, or a box without a lid from above: the outside,
+/** \brief Finds what is seen of a cup, a bowl, or a box without a lid from above: the outside,
  * and behind the rim, a step further away, the inside.
  *
  * Convex things that stand one behind the other bulge towards each other, so that along the
@@ -25,21 +25,18 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS HollowThings {
 public:
-  /** \param[in] clustering of the same points
+  /** \param[in] pixel_angle the angle between the rays of neighbouring pixels, radians
+   * \param[in] occlusions of the same clusters
    * \param[in] supports the planes that the clusters refer to
+   * \param[in,out] sets clusters of one thing are joined
    */
   void
-  compute (const OrganizedPoints& points,
-           const ObjectClusters& clustering,
-           const std::vector<SupportPlane>& supports,
-           const std::vector<ObjectCluster>& clusters);
-
-  /** \brief The clusters, in the order of the first ones of what was joined. */
-  const std::vector<ObjectCluster>&
-  things () const
-  {
-    return things_;
-  }
+  find (const OrganizedPoints& points,
+        float pixel_angle,
+        const OcclusionSteps& occlusions,
+        const std::vector<SupportPlane>& supports,
+        const std::vector<ObjectCluster>& clusters,
+        DisjointSets& sets);
 
 private:
   /** \brief From one cluster to one behind it. */
@@ -67,18 +64,12 @@ private:
   float
   medianHeight (Steps first, Steps last, std::uint32_t OcclusionStep::*point);
 
-  void
-  collect (const std::vector<ObjectCluster>& clusters);
-
   OrganizedPoints points_;
   float pixel_angle_ = 0.f;
-  OcclusionSteps occlusions_;
+  const OcclusionSteps* occlusions_ = nullptr;
   const SupportPlane* support_ = nullptr; // of the cluster in front
   std::vector<float> numbers_;
   std::vector<bool> is_inside_; // clusters that are behind a rim
-  DisjointSets sets_;
-  std::vector<std::size_t> thing_of_; // of the first clusters of things
-  std::vector<ObjectCluster> things_;
 };
 
 } // namespace rgbd_planes

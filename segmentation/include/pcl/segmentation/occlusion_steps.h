@@ -58,6 +58,13 @@ public:
     return extents_[cluster].lines;
   }
 
+  /** \brief The cluster of each point, from 1 on, or 0. */
+  const std::vector<std::uint32_t>&
+  owners () const
+  {
+    return owner_;
+  }
+
   /** \brief How many pixels there are, at most, between points that are next to each other, for
    * edges lack depth. */
   std::size_t

@@ -12,10 +12,10 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/concave_split.h>
-#include <pcl/segmentation/hollow_things.h>
 #include <pcl/segmentation/object_box.h>
 #include <pcl/segmentation/object_clusters.h>
 #include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/whole_things.h>
 
 #include <Eigen/Geometry>
 
@@ -71,7 +71,8 @@ struct SupportedObject {
  * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
  * by five standard deviations of depth. A thing on a thing is one object with it, but for
  * setSplitAtConcaveEdges(). What is seen of a cup, a bowl, or a box without a lid on both sides of
- * its rim is one object.
+ * its rim is one object, and small parts beside a thing, such as handles, are of it if they neither
+ * stand on the plane nor rest on the thing.
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the
@@ -401,7 +402,7 @@ private:
   rgbd_planes::SupportPlanes supports_;
   rgbd_planes::ObjectClusters clustering_;
   rgbd_planes::ConcaveSplit split_;
-  rgbd_planes::HollowThings hollow_things_;
+  rgbd_planes::WholeThings whole_things_;
   rgbd_planes::ObjectBoxFinder boxes_;
   bool is_posed_ = false, is_warned_ = false;
 };

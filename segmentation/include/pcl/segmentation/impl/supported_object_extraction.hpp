@@ -136,12 +136,13 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
                     supports_.planes(),
                     parameters,
                     clustering_.clusters());
-  hollow_things_.compute (points,
-                          clustering_,
-                          supports_.planes(),
-                          parameters_.split_at_concave_edges ? split_.parts()
-                                                             : clustering_.clusters());
-  return hollow_things_.things();
+  whole_things_.compute (points,
+                         clustering_,
+                         supports_,
+                         parameters,
+                         parameters_.split_at_concave_edges ? split_.parts()
+                                                            : clustering_.clusters());
+  return whole_things_.things();
 }
 
 template <typename PointT, typename PointNT>

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include <pcl/segmentation/attached_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Parts have so many times fewer points than the thing... */
+constexpr std::size_t min_ratio = 12;
+/** ... in so many places of them no farther than this from it, in metres. */
+constexpr std::size_t min_contacts = 3;
+constexpr float max_distance = 0.015f;
+/** What stands on its plane has at least so many points lower than this many times the least
+ * height of objects, below which points are the plane's. */
+constexpr std::size_t min_low_points = 5;
+constexpr float stands = 1.5f;
+/** What is nowhere higher than so many times that, but for a tenth, is a foot. */
+constexpr float foot = 2.f;
+constexpr double low_share = 0.9;
+/** What rests on a thing is not too flat for an object, and has its contacts lower, in parts of
+ * its own height. */
+constexpr float min_contact = 0.3f;
+constexpr float sigmas = 3.f;
+
+/** The value that \a number others are below, or the largest. */
+float
+valueAbove (std::vector<float>& values, std::size_t number)
+{
+  const auto place = values.begin() +
+                     static_cast<std::ptrdiff_t> (std::min (number, values.size() - 1));
+  std::nth_element (values.begin(), place, values.end());
+  return *place;
+}
+
+} // namespace
+
+void
+AttachedParts::find (const OrganizedPoints& points,
+                     const OcclusionSteps& occlusions,
+                     const SupportPlanes& supports,
+                     const ObjectParameters& parameters,
+                     const std::vector<ObjectCluster>& clusters,
+                     DisjointSets& sets)
+{
+  points_ = points;
+  occlusions_ = &occlusions;
+  sizes_.resize (clusters.size());
+  std::transform (clusters.begin(),
+                  clusters.end(),
+                  sizes_.begin(),
+                  [] (const auto& cluster) { return pointsOf (cluster.runs); });
+  const std::size_t largest =
+      sizes_.empty() ? 0 : *std::max_element (sizes_.begin(), sizes_.end());
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    const SupportPlane& support = supports.planes()[clusters[k].support];
+    if (min_ratio * sizes_[k] > largest ||
+        liesOnOneOf (supports.background(), points, clusters[k].runs, parameters.noise))
+      continue;
+    findContacts (clusters[k], support);
+    contacts_with_.assign (clusters.size(), 0);
+    for (const Contact& contact : contacts_)
+      contacts_with_[contact.other] +=
+          sizes_[contact.other] >= min_ratio * sizes_[k] &&
+          clusters[contact.other].support == clusters[k].support;
+    const auto most = std::max_element (contacts_with_.begin(), contacts_with_.end());
+    const auto other = static_cast<std::size_t> (most - contacts_with_.begin());
+    if (*most >= min_contacts && isPart (clusters[k], support, other, parameters))
+      sets.join (static_cast<std::uint32_t> (k), static_cast<std::uint32_t> (other));
+  }
+}
+
+void
+AttachedParts::findContacts (const ObjectCluster& cluster, const SupportPlane& support)
+{
+  contacts_.clear();
+  for (const PointRun& run : cluster.runs)
+    for (std::uint32_t i = run.first; i < run.first + run.length; ++i)
+      for (const std::ptrdiff_t step : {std::ptrdiff_t{-points_.width},
+                                        std::ptrdiff_t{-1},
+                                        std::ptrdiff_t{1},
+                                        std::ptrdiff_t{points_.width}}) {
+        Contact contact;
+        if (!findContact (i, step, contact))
+          continue;
+        contact.height = support.plane.distance (points_[i]);
+        contacts_.push_back (contact);
+        break;
+      }
+}
+
+/** Whether the next cluster along the image is another one that is near. */
+bool
+AttachedParts::findContact (std::uint32_t i,
+                            std::ptrdiff_t step,
+                            Contact& contact) const
+{
+  const auto& owners = occlusions_->owners();
+  std::uint32_t j = i;
+  for (std::size_t skipped = 0; skipped <= occlusions_->maxGap(); ++skipped) {
+    const std::uint32_t next = nextPixel (points_, j, step);
+    if (next == j || owners[next] == owners[i])
+      return false;
+    j = next;
+    if (owners[j] == 0)
+      continue;
+    const Eigen::Map<const Eigen::Vector3f> from (points_[i]), to (points_[j]);
+    contact.other = owners[j] - 1;
+    return (from - to).norm() <= max_distance;
+  }
+  return false;
+}
+
+/** Whether the cluster neither stands on its plane nor rests on the other one. */
+bool
+AttachedParts::isPart (const ObjectCluster& cluster,
+                       const SupportPlane& support,
+                       std::size_t other,
+                       const ObjectParameters& parameters)
+{
+  heights_.clear();
+  float squared_range = 0.f;
+  for (const PointRun& run : cluster.runs)
+    for (std::uint32_t i = run.first; i < run.first + run.length; ++i) {
+      heights_.push_back (support.plane.distance (points_[i]));
+      squared_range = std::max (squared_range, squaredRange (points_[i]));
+    }
+  contact_heights_.clear();
+  for (const Contact& contact : contacts_)
+    if (contact.other == other)
+      contact_heights_.push_back (contact.height);
+  const float low = valueAbove (heights_, min_low_points - 1);
+  const float high = valueAbove (
+      heights_,
+      static_cast<std::size_t> (low_share * static_cast<double> (heights_.size())));
+  const float least = std::max (parameters.min_object_height,
+                                sigmas * parameters.noise.sigma (squared_range));
+  const bool stands_on_plane = low < stands * least && high > foot * least;
+  const bool rests_on_other =
+      high - low > least && valueAbove (contact_heights_, contact_heights_.size() / 2) <
+                                low + min_contact * (high - low);
+  return !stands_on_plane && !rests_on_other;
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
