@@ -156,3 +156,13 @@ TEST_F (ObstacleFilterTest, BadInputKeepsNothing)
       EXPECT_TRUE (std::isnan (point.z));
   }
 }
+
+TEST_F (ObstacleFilterTest, AsManyIndicesAsPointsAreNotAllPoints)
+{
+  filter_.setIndices (pcl::make_shared<pcl::Indices> (12, 3));
+  Cloud output;
+  filter_.filter (output);
+  ASSERT_EQ (output.size(), 12u);
+  for (const auto& point : output)
+    EXPECT_EQ (point.x, 3.f);
+}

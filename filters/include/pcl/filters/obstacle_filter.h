@@ -45,11 +45,14 @@ class PCL_RGBD_PLANES_EXPORTS ObstacleFilter : public FilterIndices<PointT> {
   using Filter<PointT>::indices_;
   using Filter<PointT>::input_;
   using Filter<PointT>::removed_indices_;
+  using FilterIndices<PointT>::keep_organized_;
   using FilterIndices<PointT>::negative_;
+  using PCLBase<PointT>::fake_indices_;
 
 public:
   using Ptr = shared_ptr<ObstacleFilter<PointT>>;
   using ConstPtr = shared_ptr<const ObstacleFilter<PointT>>;
+  using typename Filter<PointT>::PointCloud;
   using Classes = pcl::PointCloud<pcl::Label>;
 
   explicit ObstacleFilter (bool extract_removed_indices = true)
@@ -78,8 +81,8 @@ protected:
   void
   applyFilter (Indices& indices) override;
 
-  /** The base class makes a cloud from the indices. */
-  using FilterIndices<PointT>::applyFilter;
+  void
+  applyFilter (PointCloud& output) override;
 
 private:
   Classes::ConstPtr classes_;

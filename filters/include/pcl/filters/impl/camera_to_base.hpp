@@ -7,6 +7,7 @@
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/filters/camera_to_base.h>
+#include <pcl/filters/impl/copy_points.h>
 #include <pcl/type_traits.h>
 
 #include <limits>
@@ -67,14 +68,8 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
     output.clear();
     return;
   }
-  if (for_indices) {
-    // PCL's copyPointCloud takes as many indices as there are points for all points.
-    output.header = input_->header;
-    output.is_dense = input_->is_dense;
-    output.resize (static_cast<std::uint32_t> (indices_->size()), 1);
-    for (std::size_t i = 0; i < indices_->size(); ++i)
-      output[i] = (*input_)[static_cast<std::size_t> ((*indices_)[i])];
-  }
+  if (for_indices)
+    rgbd_planes::copyPoints (*input_, *indices_, output);
   else
     output = *input_;
   output.header.frame_id = base_frame_;

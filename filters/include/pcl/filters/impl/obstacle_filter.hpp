@@ -6,6 +6,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/organized_view.h>
+#include <pcl/filters/impl/copy_points.h>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>
 
@@ -47,6 +48,17 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
     else if (extract_removed_indices_)
       removed_indices_->push_back (index);
   }
+}
+
+template <typename PointT>
+void
+ObstacleFilter<PointT>::applyFilter (PointCloud& output)
+{
+  if (keep_organized_ || fake_indices_)
+    return FilterIndices<PointT>::applyFilter (output);
+  Indices indices;
+  applyFilter (indices);
+  rgbd_planes::copyPoints (*input_, indices, output);
 }
 
 } // namespace pcl
