@@ -159,9 +159,8 @@ FrameSegmenter::findObjects (const Frame& frame, FrameSummary& summary)
   const Stopwatch watch;
   if (summary.camera_to_base)
     extraction_.setCameraToBase (*summary.camera_to_base);
-  constexpr double anywhere = 2.; // what has height 0 may be a table
-  if (!isKnown (summary.pose))
-    extraction_.setPlaneHeights (-anywhere, anywhere);
+  const bool known = isKnown (summary.pose); // else what has height 0 may be a table
+  extraction_.setPlaneHeights (known ? 0. : -2., known ? 1.2 : 2.);
   extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
   extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);

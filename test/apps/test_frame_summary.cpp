@@ -43,3 +43,19 @@ TEST (FrameSummary, NeedsNoIndicesForItsReports)
   for (const auto& summary : obstacles)
     EXPECT_EQ (summary.obstacle.indices.capacity(), 0u);
 }
+
+TEST (FrameSummary, AFrameWithoutPoseLeavesTheHeightsOfPlanesOfTheNextOne)
+{
+  InputOptions input;
+  input.input = "sim:table_cluttered";
+  input.step = 2;
+  SegmenterOptions options;
+  options.find_objects = true;
+  FrameSegmenter segmenter (options);
+  Frame frame = FrameSource (input).read (0);
+  Frame without_pose = frame;
+  without_pose.camera_to_base.reset();
+  EXPECT_FALSE (segmenter.segment (without_pose).objects.empty());
+  frame.camera_to_base->translation().z() += 1.f; // the table is higher than 1.2 m
+  EXPECT_TRUE (segmenter.segment (frame).objects.empty());
+}
