@@ -59,7 +59,7 @@ public:
   std::size_t missed = 0;  /**< true planes */
   std::size_t noise = 0;   /**< found planes */
 
-  /** \brief F1 score of pairs with an intersection of at least half of their union. */
+  /** \brief F1 score of pairs with an intersection of more than half of their union. */
   double
   f1 () const;
 

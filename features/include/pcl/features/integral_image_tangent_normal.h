@@ -182,7 +182,8 @@ public:
     return parameters_.noise;
   }
 
-  /** \brief What to do at image borders; default BORDER_POLICY_MIRROR. */
+  /** \brief What to do at image borders; default BORDER_POLICY_MIRROR. Where there are areas of
+   * several sizes, the smallest one says what is at the border. */
   void
   setBorderPolicy (BorderPolicy border_policy)
   {
