@@ -28,9 +28,11 @@ namespace pcl {
  * normals; with indices, it has only these points, N x 1, in their order. Points without a
  * measurement (NaN, Inf or (0, 0, 0)) become NaN, and normals that are NaN stay so. The
  * header is that of the input with the frame of setBaseFrame; the sensor pose of the
- * output is that of the camera in the base frame. Output and input may be the same cloud,
- * but not through a pointer to pcl::Filter, which would keep header and sensor pose of the
- * input. No cloud or an index outside of it: an error message and an empty output.
+ * output is that of the camera in the base frame. pcl::visualization::PCLVisualizer moves
+ * clouds by that pose, these a second time: show it a copy with a pose of zero and identity.
+ * Output and input may be the same cloud, but not through a pointer to pcl::Filter, which
+ * would keep header and sensor pose of the input. No cloud or an index outside of it: an
+ * error message and an empty output.
  *
  * \ingroup filters
  */
