@@ -58,6 +58,38 @@ TEST (TangentNormalInterface, UnorganizedCloudsGiveOneErrorThatNamesTheCure)
       << error;
 }
 
+/** Depth registered with a camera of twice the resolution, without filling holes. */
+TEST (TangentNormalInterface, CloudsOfWhichNoPointHasANormalAreToldOnceInARow)
+{
+  const auto whole = render ({tiltedPlane (1.f, 10.f, 20.f)}, 64, 48).cloud;
+  const auto interlaced =
+      pcl::make_shared<Cloud> (64, 48, pcl::PointXYZ (0.f, 0.f, 0.f));
+  for (int v = 0; v < 48; v += 2)
+    for (int u = 0; u < 64; u += 2)
+      (*interlaced) (u, v) = (*whole) (u, v);
+  const auto covered = pcl::make_shared<Cloud> (64, 48, pcl::PointXYZ (0.f, 0.f, 0.f));
+  (*covered) (20, 10) = (*whole) (20, 10);
+  Estimation estimation;
+  const auto warningFor = [&estimation] (const Cloud::ConstPtr& cloud) {
+    ::testing::internal::CaptureStderr();
+    estimate (estimation, cloud);
+    return ::testing::internal::GetCapturedStderr();
+  };
+  for (int stream = 0; stream < 2; ++stream) {
+    const std::string warning = warningFor (interlaced);
+    EXPECT_NE (warning.find ("None of the 768 measured points has a normal"),
+               std::string::npos)
+        << warning;
+    EXPECT_EQ (warningFor (interlaced), "") << "a stream of frames fills no log";
+    EXPECT_EQ (warningFor (whole), "");
+    EXPECT_EQ (warningFor (covered), "") << "a speck is no surface";
+  }
+  // Here it is the policy that leaves all points out.
+  estimation.setBorderPolicy (Estimation::BORDER_POLICY_IGNORE);
+  estimation.setNormalSmoothingSize (100.f);
+  EXPECT_EQ (warningFor (whole), "");
+}
+
 TEST (TangentNormalInterface, BadSettingsAreRefused)
 {
   const Cloud::Ptr cloud = makeHoles();

@@ -61,7 +61,8 @@ namespace pcl {
  * Output and input may be the same cloud, which keeps its other fields; not with indices.
  *
  * A null, empty or unorganized cloud, an index outside of it, or indices where output and
- * input are the same cloud: an error message and an empty output. setKSearch,
+ * input are the same cloud: an error message and an empty output. A cloud with measured
+ * points of which none has a normal: a warning, once for frames in a row. setKSearch,
  * setRadiusSearch, setSearchMethod and setSearchSurface have no effect. Nothing is
  * allocated after the first of several clouds of the same size.
  *
@@ -205,10 +206,15 @@ private:
   std::size_t
   computeNormals (PointCloudOut& output) override;
 
+  /** \brief Says why all normals are missing where points are not. */
+  void
+  warnOfNone (std::size_t valid);
+
   rgbd_planes::TangentNormalParameters parameters_;
   rgbd_planes::TangentNormals tangent_normals_;
   /** The normals of the whole cloud, where only some are asked for. */
   pcl::PointCloud<pcl::Normal> all_normals_;
+  bool is_warned_ = false;
 };
 
 } // namespace pcl

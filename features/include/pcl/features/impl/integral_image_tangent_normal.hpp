@@ -5,10 +5,13 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
+#include <pcl/features/first_in_a_row.h>
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/features/set_parameter.h>
+
+#include <algorithm>
 
 namespace pcl {
 
@@ -67,9 +70,12 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
 {
   parameters_.sensor_origin = this->sensorOrigin();
   const auto computeAll = [this] (auto& cloud) {
-    return tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
-                                     parameters_,
-                                     rgbd_planes::normalOutput (cloud));
+    const std::size_t valid =
+        tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
+                                  parameters_,
+                                  rgbd_planes::normalOutput (cloud));
+    warnOfNone (valid);
+    return valid;
   };
   if (!this->forIndices())
     return computeAll (output);
@@ -86,6 +92,27 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
     valid += pcl::isNormalFinite (normal);
   }
   return valid;
+}
+
+template <typename PointInT, typename PointOutT>
+void
+IntegralImageTangentNormalEstimation<PointInT, PointOutT>::warnOfNone (
+    std::size_t valid)
+{
+  std::size_t measured = 0;
+  if (valid == 0 && !parameters_.ignore_border)
+    measured = static_cast<std::size_t> (
+        std::count_if (input_->begin(), input_->end(), [] (const PointInT& p) {
+          return rgbd_planes::isMeasured (&p.x);
+        }));
+  const bool is_more_than_specks = 100 * measured > input_->size();
+  if (rgbd_planes::isFirstInARow (is_more_than_specks, is_warned_))
+    PCL_WARN (
+        "[pcl::%s] None of the %zu measured points has a normal, for a point needs "
+        "measured neighbours near it along both axes of the image. If every second "
+        "row or column is missing, take every second pixel in both directions.\n",
+        feature_name_.c_str(),
+        measured);
 }
 
 } // namespace pcl
