@@ -115,6 +115,23 @@ TEST (FloorLevels, AnotherLevelThatIsClearNearTheRobotIsNoFloorFurtherAway)
   }
 }
 
+TEST (FloorLevels, LevelsThatAreLowerThanObstaclesAndDropsAreFloor)
+{
+  for (const float step : {-0.04f, 0.03f}) {
+    Patch near = floorAt (0.f), far = floorAt (step);
+    near.covers = [] (const Eigen::Vector3f& p) { return p.x() < 1.2f; };
+    far.covers = [] (const Eigen::Vector3f& p) { return p.x() >= 1.2f; };
+    const FloorScene scene ({near, far}, cameraPose (1.3f, 0.7f), 160, kinectSigma);
+    Detection detection;
+    setInput (detection, scene);
+    detection.setMinObstacleHeight (0.1f);
+    detection.setMinDropDepth (0.1f);
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_GT (share (scene, result, 1, 1, ObstacleClass::floor), 0.98) << step;
+  }
+}
+
 TEST (FloorLevels, AStepOfThreeStandardDeviationsOfDepthAcrossTheViewIsNoFloor)
 {
   constexpr float edge = 2.f;

@@ -118,6 +118,31 @@ TEST (FloorPlane, TheFloorIsNearZeroAlsoWhereMoreIsALittleHigherOrLower)
   }
 }
 
+TEST (FloorPlane, OfLevelsSideBySideTheFloorIsTheOneNearestToZero)
+{
+  Patch floor = floorAt (0.f), platform = floorAt (0.04f);
+  floor.covers = [] (const Eigen::Vector3f& p) { return p.y() > 0.15f; };
+  platform.covers = [] (const Eigen::Vector3f& p) { return p.y() <= 0.15f; };
+  const FloorScene scene ({platform, floor}, pose);
+  Detection detection;
+  setInput (detection, scene);
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  EXPECT_TRUE (
+      detection.getFloor().isApprox (Eigen::Vector4f (scene.planes[1].values.data())));
+}
+
+TEST (FloorPlane, WhatIsBeyondTheRangeOfTheSensorIsNoFloor)
+{
+  const FloorScene scene (only_floor, pose);
+  Detection detection;
+  setInput (detection, scene);
+  detection.setDepthNoise ({0.001f, 0.002f, 0.5f});
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  EXPECT_FALSE (detection.isFloorFound());
+}
+
 TEST (FloorPlane, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
 {
   constexpr float edge = 0.9f;

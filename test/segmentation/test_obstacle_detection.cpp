@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace obstacle_scenes;
@@ -193,4 +194,17 @@ TEST (ObstacleDetection, SpecksAreNoObstacles)
   detection.setMinClusterSize (2);
   detection.detect (result.obstacles, result.classes);
   EXPECT_EQ (result.obstacles.size(), specks.size() / 2);
+}
+
+TEST (ObstacleDetection, TheSmallestObstacleHasOnePointIn20000OfTheImageOrTwo)
+{
+  for (const auto& [width, least] : {std::pair (160u, 2u), {320u, 3u}})
+    for (const std::uint32_t missing : {0u, 1u}) {
+      const FloorScene scene (only_floor, pose, width);
+      for (std::uint32_t k = 0; k < least - missing; ++k)
+        (*scene.cloud) (width / 2 + k, width / 2).getVector3fMap() *= 0.7f;
+      const Result result = detect (scene);
+      EXPECT_EQ (result.obstacles.size(), 1 - missing) << width;
+      EXPECT_EQ (result.count (ObstacleClass::speck), missing * (least - 1)) << width;
+    }
 }

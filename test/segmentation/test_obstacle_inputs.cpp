@@ -173,6 +173,9 @@ TEST (ObstacleInputs, APoseThatNobodyGaveIsToldOnceInARow)
   EXPECT_NE (warningOf().find ("setCameraToBase"), std::string::npos);
   EXPECT_EQ (warningOf(), "");
   // Where it was given, there may well be no floor in sight.
+  detection.setCameraToBase (scene.camera_to_base);
+  EXPECT_EQ (warningOf(), "");
+  EXPECT_TRUE (detection.isFloorFound());
   detection.setCameraToBase (cameraPose (2.f, 0.61f));
   EXPECT_EQ (warningOf(), "");
   EXPECT_FALSE (detection.isFloorFound());
@@ -218,6 +221,69 @@ TEST (ObstacleInputs, NoAllocationsForFramesLikeThoseBefore)
         EXPECT_EQ (count, 0u);
       }
     }
+}
+
+TEST (ObstacleInputs, FramesMayHaveMoreNoiseThanIsNotSet)
+{
+  const auto noisy = [] (float z) { return 3.f * kinectSigma (z); };
+  const FloorScene scene (only_floor, pose, 320, noisy);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_TRUE (result.obstacles.empty());
+  // Figures of one's own are taken as they are.
+  detection.setDepthNoise (pcl::rgbd_planes::DepthNoise());
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (result.obstacles.empty());
+}
+
+TEST (ObstacleInputs, WhatIsExcludedWithoutDepthStaysUnmeasured)
+{
+  const FloorScene scene (only_floor, pose);
+  const std::size_t measured = scene.cloud->size() - 1, missing = measured - 1;
+  (*scene.cloud)[missing].x = not_a_number;
+  Detection detection;
+  setInput (detection, scene);
+  detection.setExcludedIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{
+      static_cast<pcl::index_t> (missing), static_cast<pcl::index_t> (measured)}));
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_EQ (result[missing], ObstacleClass::unmeasured);
+  EXPECT_EQ (result[measured], ObstacleClass::excluded);
+}
+
+TEST (ObstacleInputs, ClassesAreOrganizedInTheFrameOfTheCloud)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  scene.cloud->header.frame_id = "camera";
+  scene.cloud->header.stamp = 7;
+  scene.cloud->sensor_origin_ = {0.1f, 0.f, 0.f, 0.f};
+  scene.cloud->sensor_orientation_ = {0.f, 1.f, 0.f, 0.f};
+  const auto classes = detect (scene).classes;
+  EXPECT_EQ (classes.width, scene.cloud->width);
+  EXPECT_EQ (classes.height, scene.cloud->height);
+  EXPECT_EQ (classes.header.frame_id, "camera");
+  EXPECT_EQ (classes.header.stamp, 7u);
+  EXPECT_EQ (classes.sensor_origin_, scene.cloud->sensor_origin_);
+  EXPECT_EQ (classes.sensor_orientation_.coeffs(),
+             scene.cloud->sensor_orientation_.coeffs());
+}
+
+TEST (ObstacleInputs, BadInputLeavesNothingOfTheFrameBefore)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  Detection detection;
+  setInput (detection, scene);
+  Result result;
+  detection.detect (result.obstacles, result.classes);
+  ASSERT_TRUE (detection.isFloorFound());
+  detection.setInputNormals (nullptr);
+  detection.detect (result.obstacles, result.classes);
+  EXPECT_FALSE (detection.isFloorFound());
+  EXPECT_EQ (detection.getFloor(), Eigen::Vector4f::Zero());
+  EXPECT_TRUE (detection.getClasses().empty());
+  EXPECT_TRUE (detection.getScan().ranges.empty());
 }
 
 TEST (ObstacleInputs, BadInputGivesEmptyOutput)

@@ -14,7 +14,7 @@ using namespace obstacle_scenes;
 
 TEST (ObstacleScan, TheScanHasTheClosestPointOfEachDirection)
 {
-  const auto things = a_box + box ({2.f, 0.3f, 0.f}, {2.5f, 0.7f, 0.5f}) +
+  const auto things = a_box + box ({2.f, 0.3f, 0.f}, {2.5f, 1.1f, 0.5f}) +
                       box ({0.8f, -1.f, 1.1f}, {3.f, 1.f, 1.2f});
   const FloorScene scene (only_floor + things, cameraPose (0.8f, 0.2f), 320);
   Detection detection;
@@ -29,7 +29,7 @@ TEST (ObstacleScan, TheScanHasTheClosestPointOfEachDirection)
     limits.angle_max = 3.5f;
     limits.angle_increment = 0.02f;
     limits.range_min = 1.25f;
-    limits.range_max = 2.2f;
+    limits.range_max = 2.09f;
     limits.max_height = 1.f;
     detection.setScanLimits (limits);
     Result result;
@@ -45,7 +45,7 @@ TEST (ObstacleScan, TheScanHasTheClosestPointOfEachDirection)
         if (angle < -0.01)
           angle += 2. * M_PI;
         const auto step = static_cast<std::size_t> (std::lround (angle / 0.02));
-        if (range <= 2.2f && p.z() <= 1.f && step < expected.size())
+        if (range <= 2.09f && p.z() <= 1.f && step < expected.size())
           expected[step] = std::min (expected[step], range);
       }
     for (float& range : expected)
@@ -55,6 +55,9 @@ TEST (ObstacleScan, TheScanHasTheClosestPointOfEachDirection)
     const auto& scan = detection.getScan();
     EXPECT_FLOAT_EQ (scan.angle_min, -2.f);
     EXPECT_FLOAT_EQ (scan.angle_max, 3.5f);
+    EXPECT_FLOAT_EQ (scan.angle_increment, 0.02f);
+    EXPECT_FLOAT_EQ (scan.range_min, 1.25f);
+    EXPECT_FLOAT_EQ (scan.range_max, 2.09f);
     ASSERT_EQ (scan.ranges.size(), expected.size());
     EXPECT_GT (std::count_if (expected.begin(),
                               expected.end(),
@@ -77,8 +80,8 @@ TEST (ObstacleScan, TheScanOfAnObstacleHasNoGapsWherePixelsAreWiderThanItsSteps)
   constexpr auto turn = static_cast<float> (2. * M_PI);
   Detection detection;
   setInput (detection, scene);
-  // Ahead; behind, where the first direction follows on the last one.
-  for (const float yaw : {0.f, turn / 2.f}) {
+  // Ahead; behind, where the first direction follows on the last one, in the gap or on a sill.
+  for (const float yaw : {0.f, turn / 2.f, turn / 2.f + 0.2f, turn / 2.f - 0.2f}) {
     detection.setCameraToBase (Eigen::AngleAxisf (yaw, Eigen::Vector3f::UnitZ()) *
                                scene.camera_to_base);
     pcl::rgbd_planes::ScanLimits limits;
@@ -179,6 +182,24 @@ TEST (ObstacleScan, NothingIsNearerThanThePointsThere)
             << k << ", " << roll << ", " << max_height;
     }
   }
+}
+
+TEST (ObstacleScan, DirectionsAreRounded)
+{
+  // Seen from 6.1 to 8.5 degrees to the left: the direction of 10 degrees is the nearest one.
+  const auto pole = box ({1.5f, 0.16f, 0.f}, {1.52f, 0.22f, 0.3f});
+  const FloorScene scene (only_floor + pole, pose, 320);
+  Detection detection;
+  setInput (detection, scene);
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_increment = static_cast<float> (M_PI / 18.);
+  detection.setScanLimits (limits);
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  const auto& ranges = detection.getScan().ranges;
+  ASSERT_EQ (ranges.size(), 19u);
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    EXPECT_EQ (std::isfinite (ranges[i]), i == 10) << i;
 }
 
 TEST (ObstacleScan, TheScanHasWhatIsKnownLateToBeNoSpeck)

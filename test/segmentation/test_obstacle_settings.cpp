@@ -62,6 +62,10 @@ TEST (ObstacleSettings, SettersRefuseWhatMakesNoSense)
     detection.setScanLimits (limits);
     EXPECT_FLOAT_EQ (detection.getScanLimits().angle_max, 1.5707963f);
   }
+  pcl::rgbd_planes::ScanLimits one_direction;
+  one_direction.angle_min = one_direction.angle_max = 0.5f;
+  detection.setScanLimits (one_direction);
+  EXPECT_EQ (detection.getScanLimits().angle_min, 0.5f);
   for (float pcl::rgbd_planes::ScanLimits::*limit :
        {&pcl::rgbd_planes::ScanLimits::range_min,
         &pcl::rgbd_planes::ScanLimits::range_max,
