@@ -209,7 +209,9 @@ TEST (CandidateAdditions, CurvedCandidatesAreRefused)
   const PlaneExtraction with = extract (cloud, normals, additions);
   EXPECT_GE (with.rejections().curved, 1u);
   EXPECT_LE (labelled (with), 0.2);
-  additions.curved = additions.patches = false;
+  additions.patches = false;
+  EXPECT_GE (extract (cloud, normals, additions).rejections().curved, 1u);
+  additions.curved = false;
   const PlaneExtraction without = extract (cloud, normals, additions);
   EXPECT_EQ (without.rejections().curved, 0u);
   EXPECT_GE (labelled (without), 0.8);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -19,11 +20,13 @@ TEST (NormalSpacePlaneInterface, OutputsAgreeWithEachOther)
   Scene scene = render (corner(), 320, 240, kinectSigma);
   scene.cloud->header.frame_id = "camera";
   scene.cloud->header.stamp = 77;
+  scene.cloud->sensor_orientation_ = {0.f, 1.f, 0.f, 0.f};
   const Result result = segment (scene.cloud, 250);
   ASSERT_EQ (result.models.size(), 3u);
   ASSERT_EQ (result.labels.width, 320u);
   ASSERT_EQ (result.labels.height, 240u);
   EXPECT_EQ (result.labels.header.frame_id, "camera");
+  EXPECT_EQ (result.labels.sensor_orientation_.x(), 1.f);
   std::vector<std::size_t> counts (3, 0);
   for (const auto& label : result.labels)
     if (label.label != Segmentation::unlabelled)
@@ -103,6 +106,61 @@ TEST (NormalSpacePlaneInterface, IndicesLimitTheSearch)
   EXPECT_EQ (result.models.size(), corner().size());
 }
 
+TEST (NormalSpacePlaneInterface, WithIndicesAllIsAsIfOtherPointsWereMissing)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  auto indices = pcl::make_shared<pcl::Indices>();
+  auto rest = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (*scene.cloud);
+  for (std::size_t i = 0; i < rest->size(); ++i)
+    if (i % 7 < 3 && i % 320 < 200)
+      indices->push_back (static_cast<pcl::index_t> (i));
+    else
+      (*rest)[i].x = std::nanf ("");
+  Result with_indices, without;
+  for (Result* result : {&with_indices, &without}) {
+    Segmentation segmentation;
+    segmentation.setMinInliers (250);
+    segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise());
+    segmentation.setInputCloud (result == &without ? rest : scene.cloud);
+    segmentation.setInputNormals (estimateNormals (scene.cloud));
+    if (result == &with_indices)
+      segmentation.setIndices (indices);
+    segment (segmentation, *result);
+  }
+  ASSERT_EQ (without.models.size(), 3u);
+  expectSame (with_indices, without);
+}
+
+TEST (NormalSpacePlaneInterface, PlanesHaveAsManyPointsAsAskedFor)
+{
+  const Scene scene = render ({tiltedPlane (1.f, 0.f, 0.f)}, 160, 120);
+  for (const unsigned more : {0u, 1u}) {
+    Segmentation segmentation;
+    segmentation.setMinInliers (160 * 120 + more);
+    Result result;
+    segment (segmentation, scene.cloud, result);
+    EXPECT_EQ (result.models.size(), 1 - more);
+  }
+}
+
+TEST (NormalSpacePlaneInterface, StageTimesAreThoseOfTheLastCall)
+{
+  const Scene scene = render (corner(), 320, 240, kinectSigma);
+  Segmentation segmentation;
+  Result result;
+  std::chrono::duration<double> elapsed{};
+  for (int frame = 0; frame < 5; ++frame) {
+    const auto start = std::chrono::steady_clock::now();
+    segment (segmentation, scene.cloud, result);
+    elapsed = std::chrono::steady_clock::now() - start;
+  }
+  const auto& times = segmentation.getStageTimes();
+  for (const double time : {times.normal_space, times.distance_space, times.refinement})
+    EXPECT_GT (time, 0.);
+  EXPECT_LT (times.normal_space + times.distance_space + times.refinement,
+             elapsed.count());
+}
+
 TEST (NormalSpacePlaneInterface, BadInputGivesAnErrorAndEmptyOutputs)
 {
   const Scene scene = render (corner(), 64, 48);
@@ -166,7 +224,8 @@ TEST (NormalSpacePlaneInterface, BadSettingsAreRefused)
 {
   Segmentation segmentation;
   const double angle = segmentation.getAngularThreshold();
-  const double distance = segmentation.getDistanceThreshold();
+  const double distance = 0.02;
+  segmentation.setDistanceThreshold (distance);
   for (const double bad : {0., -1., 2., std::nan ("")})
     segmentation.setAngularThreshold (bad);
   for (const double bad : {0., -1., std::nan ("")})

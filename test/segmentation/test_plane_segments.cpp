@@ -50,6 +50,7 @@ TEST (PlaneSegments, AreTheConnectedPartsOfThePlanes)
   surfaces.push_back (board (100, 104, 0, 240));
   surfaces.push_back (board (30, 34, 0, 240));
   const Scene scene = render (surfaces, 320, 240, kinectSigma);
+  scene.cloud->header.frame_id = "camera";
   Ours segmentation;
   std::vector<pcl::PointIndices> segments;
   std::vector<std::size_t> planes;
@@ -71,6 +72,7 @@ TEST (PlaneSegments, AreTheConnectedPartsOfThePlanes)
     ASSERT_EQ (planes.size(), expected.size());
     EXPECT_GT (segments.size(), result.models.size() - (min_inliers == 5000u));
     for (std::size_t s = 0; s < segments.size(); ++s) {
+      EXPECT_EQ (segments[s].header.frame_id, "camera");
       EXPECT_EQ (segments[s].indices, expected[s]);
       EXPECT_EQ (planes[s], result.labels[expected[s][0]].label);
     }
