@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -78,6 +79,29 @@ TEST (PlaneTracker, OtherNormalsAndDistancesAreOtherPlanes)
   EXPECT_EQ (track (tracker, row ({plane (0.f, -1.f, 0.f, 2.5f)}, "aaaa")), (Ids{2}));
 }
 
+TEST (PlaneTracker, MoreThanHalfARadianOrAMetreIsAnotherPlane)
+{
+  const auto turned = [] (float angle) {
+    return plane (std::sin (angle), 0.f, -std::cos (angle), 2.f);
+  };
+  for (const auto& [other, id] : {std::pair (turned (0.49f), 0u),
+                                  {turned (0.51f), 1u},
+                                  {plane (0.f, 0.f, -1.f, 2.99f), 0u},
+                                  {plane (0.f, 0.f, -1.f, 3.01f), 1u}}) {
+    pcl::PlaneTracker tracker;
+    EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
+    EXPECT_EQ (track (tracker, row ({other}, "aaaa")), (Ids{id}));
+  }
+}
+
+TEST (PlaneTracker, TheMoreAPlaneHasChangedTheLessItsPixelsCount)
+{
+  pcl::PlaneTracker tracker;
+  const auto behind = plane (0.f, 0.f, -1.f, 2.8f);
+  EXPECT_EQ (track (tracker, row ({behind, wall}, "aaaaabbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaaaaaa")), (Ids{1}));
+}
+
 TEST (PlaneTracker, TheLargestPartOfAPlaneKeepsItsIdentity)
 {
   pcl::PlaneTracker tracker;
@@ -113,6 +137,16 @@ TEST (PlaneTracker, PlanesThatAreNotFoundAreRememberedFor15Frames)
     EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbbaaaa")), (Ids{1, expected}))
         << missing << " frames";
   }
+}
+
+TEST (PlaneTracker, WhereAPlaneWasForgottenNoOtherOneIsKnown)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall}, "aa..")), (Ids{0}));
+  for (int i = 0; i < 15; ++i)
+    track (tracker, row ({}, "...."));
+  EXPECT_EQ (track (tracker, row ({wall}, "..aa")), (Ids{1}));
+  EXPECT_EQ (track (tracker, row ({wall}, "aa..")), (Ids{2}));
 }
 
 TEST (PlaneTracker, IdentitiesAreNeverUsedAgain)
@@ -179,7 +213,9 @@ TEST (PlaneTracker, BadInputIsRefusedAndForgotten)
   EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
   Image image = row ({wall}, "aaaa");
   image.models[0].values.pop_back();
-  EXPECT_EQ (track (tracker, image), Ids{});
+  Ids ids{7};
+  tracker.track (image.models, image.labels, ids);
+  EXPECT_EQ (ids, Ids{}) << "replaced";
   image = row ({wall}, "");
   EXPECT_EQ (track (tracker, image), Ids{});
   const float nan = std::numeric_limits<float>::quiet_NaN();
