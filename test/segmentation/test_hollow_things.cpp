@@ -106,7 +106,9 @@ find (const Scene& scene, unsigned seed = 1)
   extraction.extract (planes.models, planes.inliers, objects);
   for (const auto& found_object : objects) {
     found.objects.emplace_back();
-    for (const auto i : found_object.indices.indices)
+    const pcl::Indices& indices = found_object.indices.indices;
+    EXPECT_TRUE (std::is_sorted (indices.begin(), indices.end()));
+    for (const auto i : indices)
       ++found.objects.back()[object[static_cast<std::size_t> (i)]];
   }
   return found;

@@ -130,11 +130,15 @@ TEST (ObjectBackground, WhatGoesOnBehindSomethingNearerIsNoObject)
 
 TEST (ObjectBackground, TallThingsAreNoObjects)
 {
-  const View view = look ({floor_slab, table, onTable (1.3f, 0.f, {0.1f, 0.1f, 0.4f})});
+  const auto withHeight = [] (float height) {
+    return look ({floor_slab, table, onTable (1.3f, 0.f, {0.1f, 0.1f, height})});
+  };
   Extraction extraction;
-  EXPECT_TRUE (extract (extraction, view).empty());
+  EXPECT_EQ (extract (extraction, withHeight (0.295f)).size(), 1u);
+  for (const float height : {0.32f, 0.34f, 0.4f})
+    EXPECT_TRUE (extract (extraction, withHeight (height)).empty()) << height;
   extraction.setMaxObjectHeight (0.45);
-  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  EXPECT_EQ (extract (extraction, withHeight (0.4f)).size(), 1u);
 }
 
 /** The top of a crate is level with where what is too high begins. */

@@ -170,6 +170,26 @@ TEST (ObjectClusters, ObjectOnAnObject)
   }
 }
 
+TEST (ObjectClusters, EachOfAStackRestsOnTheOneBelow)
+{
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (1.1f, 0.f, {0.26f, 0.26f, 0.07f}),
+                           {{1.1f, 0.f, table_height + 0.07f}, {0.18f, 0.18f, 0.07f}},
+                           {{1.1f, 0.f, table_height + 0.14f}, {0.08f, 0.08f, 0.07f}}});
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 3u);
+  for (const auto& object : objects) {
+    int box = 2;
+    while (iou (object, view, box) < 0.5 && box < 4)
+      ++box;
+    EXPECT_EQ (object.support, view.top.at (box - 1));
+    EXPECT_NEAR (object.box_size.z(), 0.07f, 0.005f);
+  }
+}
+
 TEST (ObjectClusters, FootOfAnObjectOnAnObject)
 {
   // Noise explains the heights of an eighth of the points of the upper box.

@@ -135,6 +135,27 @@ TEST (ObjectInputs, APoseThatNobodyGaveIsToldOnceInARow)
   EXPECT_EQ (warningOf (extraction), "");
   extraction.setPlaneHeights (2., 3.);
   EXPECT_EQ (warningOf (extraction), "") << "none in sight is at that height";
+
+  View no_planes = view;
+  no_planes.models.clear();
+  no_planes.inliers.clear();
+  Extraction other;
+  Objects objects;
+  other.setInputCloud (view.cloud);
+  testing::internal::CaptureStderr();
+  other.extract (no_planes.models, no_planes.inliers, objects);
+  EXPECT_EQ (testing::internal::GetCapturedStderr(), "") << "no pose makes some";
+}
+
+TEST (ObjectInputs, IndicesCarryTheHeaderOfTheCloud)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  view.cloud->header.frame_id = "camera";
+  view.cloud->header.stamp = 7;
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_EQ (objects[0].indices.header.frame_id, "camera");
+  EXPECT_EQ (objects[0].indices.header.stamp, 7u);
 }
 
 TEST (ObjectInputs, RefusesBadInput)
@@ -177,6 +198,10 @@ TEST (ObjectInputs, RefusesBadInput)
   Extraction split;
   split.setSplitAtConcaveEdges (true);
   EXPECT_TRUE (extract (split, no_normals).empty());
+  View fewer_normals = view;
+  fewer_normals.normals = pcl::make_shared<table_scenes::Normals> (*view.normals);
+  fewer_normals.normals->points.pop_back();
+  EXPECT_TRUE (extract (split, fewer_normals).empty());
 }
 
 TEST (ObjectInputs, DefaultsAreThoseOfThePaper)

@@ -153,6 +153,40 @@ TEST (SupportPlanes, LabelsThatLeak)
   EXPECT_GT (iou (objects.front(), view, 2), 0.85);
 }
 
+TEST (SupportPlanes, TiltIsThatOfThePointsNotOfTheModel)
+{
+  View view = look ({floor_slab, table});
+  view.camera_to_base.prerotate (Eigen::AngleAxisf (0.2f, Vector3f::UnitX()));
+  for (auto& model : view.models) {
+    const Vector3f up = view.camera_to_base.linear().row (2);
+    std::copy_n (up.data(), 3, model.values.begin());
+  }
+  Extraction extraction;
+  extraction.setPlaneHeights (-1., 2.);
+  extract (extraction, view);
+  EXPECT_EQ (extraction.getSupportPlanes().size(), 2u);
+  extraction.setHorizontalTolerance (0.15);
+  extract (extraction, view);
+  EXPECT_TRUE (extraction.getSupportPlanes().empty());
+}
+
+TEST (SupportPlanes, HullsLeaveOutPointsThatAreOffTheirPlane)
+{
+  View view = look ({floor_slab, table});
+  const auto on_floor = view.pixelsOf (0);
+  const pcl::index_t outlier = *on_floor.begin();
+  auto& inliers = view.inliers[view.top.at (1)].indices;
+  inliers.insert (inliers.begin(), outlier);
+  ASSERT_TRUE (std::is_sorted (inliers.begin(), inliers.end()));
+  Extraction extraction;
+  extract (extraction, view);
+  const auto& supports = extraction.getSupportPlanes();
+  ASSERT_EQ (supports.size(), 2u);
+  ASSERT_EQ (supports[0].index, view.top.at (1));
+  EXPECT_FALSE (supports[0].outline.contains (
+      supports[0].project ((*view.cloud)[static_cast<std::size_t> (outlier)].data)));
+}
+
 TEST (SupportPlanes, OptimisesAModelThatOutliersSpoilt)
 {
   View view =
