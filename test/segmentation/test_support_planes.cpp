@@ -67,6 +67,18 @@ TEST (SupportPlanes, MaxOverhang)
   EXPECT_EQ (stickingOut (0.4f, 0.2), 0.); // it is over the floor
 }
 
+TEST (SupportPlanes, WhatTheImageCutsSticksOutOfNoTable)
+{
+  // At x = 1.3 m the image ends 0.84 m to the side.
+  const auto objectsAtEdge = [] (float y) {
+    const Box shifted{{1.2f, y - 0.5f, 0.66f}, {0.8f, 1.f, 0.04f}};
+    const Box thing = onTable (1.3f, y + 0.04f, {0.16f, 0.16f, 0.1f});
+    return extract (look ({floor_slab, shifted, thing})).size();
+  };
+  EXPECT_EQ (objectsAtEdge (0.5f), 1u);
+  EXPECT_EQ (objectsAtEdge (0.74f), 0u);
+}
+
 TEST (SupportPlanes, SeveralTables)
 {
   const Box low_table{{1.2f, 0.45f, 0.46f}, {0.6f, 0.5f, 0.04f}};
