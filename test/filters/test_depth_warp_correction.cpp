@@ -217,6 +217,8 @@ TEST (DepthWarpCorrection, TheWarpMovesToAnotherObject)
   const Cloud corrected = correct (corner);
   expectSameBytes (correctWith (given, corner.cloud), corrected);
   EXPECT_TRUE (correctWith (given, other.cloud).empty()) << "another size";
+  const auto lower = pcl::make_shared<Cloud> (160, 100);
+  EXPECT_TRUE (correctWith (given, lower).empty()) << "another height";
 
   // Frames take its place.
   const Corner straight (160, noWarp);
@@ -226,6 +228,7 @@ TEST (DepthWarpCorrection, TheWarpMovesToAnotherObject)
   EXPECT_EQ (given.getNumberOfFrames(), 2u);
   ASSERT_TRUE (given.setWarp (warp));
   expectSameBytes (correctWith (given, corner.cloud), corrected);
+  EXPECT_EQ (given.getNumberOfFrames(), 0u);
   given.clearFrames();
   EXPECT_TRUE (given.getWarp().empty());
   EXPECT_TRUE (correctWith (given, corner.cloud).empty());

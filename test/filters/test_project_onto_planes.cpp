@@ -201,6 +201,29 @@ TEST (ProjectOntoPlanes, WhatIsNoPlaneMovesNothing)
     expectNear (output[i], (*points())[i].getVector3fMap());
 }
 
+TEST (ProjectOntoPlanes, LabelsTakeThePlaceOfIndicesAndBack)
+{
+  Projection projection;
+  const auto two = pcl::make_shared<Cloud> (2, 1);
+  for (auto& point : *two)
+    point.getVector3fMap() << 0.f, 0.f, 2.1f;
+  const auto labels = pcl::make_shared<Labels> (2, 1);
+  (*labels)[1].label = 1;
+  projection.setPlanes ({model (wall)}, {indices ({3})}); // of another cloud
+  projection.setPlanes ({model (wall)}, labels);
+  projection.setInputCloud (two);
+  Cloud output;
+  projection.filter (output);
+  ASSERT_EQ (output.size(), 2u);
+  EXPECT_EQ (output[0].z, 2.f);
+  EXPECT_EQ (output[1].z, 2.1f);
+  projection.setPlanes ({model (wall)}, {indices ({1})});
+  projection.filter (output);
+  ASSERT_EQ (output.size(), 2u);
+  EXPECT_EQ (output[0].z, 2.1f);
+  EXPECT_EQ (output[1].z, 2.f);
+}
+
 TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
 {
   Projection projection;
