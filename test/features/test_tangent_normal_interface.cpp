@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 using synthetic::angleDegrees;
 using synthetic::render;
@@ -93,16 +95,65 @@ TEST (TangentNormalInterface, CloudsOfWhichNoPointHasANormalAreToldOnceInARow)
 TEST (TangentNormalInterface, BadSettingsAreRefused)
 {
   const Cloud::Ptr cloud = makeHoles();
-  Estimation estimation;
+  Estimation estimation, expected;
+  estimation.setNormalSmoothingSize (7.f);
+  expected.setNormalSmoothingSize (7.f);
   estimation.setNormalSmoothingSize (0.f);
   estimation.setNormalSmoothingSize (synthetic::nan);
   estimation.setRectSize (0, 5);
   estimation.setRectSize (5, -1);
   estimation.setMaxDepthChangeFactor (-1.f);
   estimation.setDepthNoise ({0.001f, -0.001f});
-  estimation.setDepthNoise ({0.001f, 0.001f, 5.f, true, 0.f});
+  for (const float scatter : {0.f, 0.9f, 5.1f})
+    estimation.setDepthNoise ({0.001f, 0.001f, 5.f, true, scatter});
   EXPECT_EQ (estimation.getDepthNoise().quadratic, 0.002f);
-  EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate<Estimation> (cloud)));
+  EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate (expected, cloud)));
+}
+
+TEST (TangentNormalInterface, TheSizeIsThreeOf160PartsOfTheLongerSideAndFourAtLeast)
+{
+  const auto noise = [] (float z) { return 0.001f * z; };
+  for (const auto& [width, size] :
+       {std::pair (480, 9.f), {320, 6.f}, {160, 4.f}, {80, 4.f}}) {
+    const Cloud::Ptr cloud =
+        render ({tiltedPlane (1.f, 30.f, 20.f)}, width, width * 3 / 4, noise).cloud;
+    Estimation estimation;
+    const Normals normals = estimate (estimation, cloud);
+    estimation.setNormalSmoothingSize (size);
+    EXPECT_TRUE (sameBits (normals, estimate (estimation, cloud))) << width;
+  }
+}
+
+TEST (TangentNormalInterface, DepthDependentSmoothingGrowsWithTheRootOfTheRange)
+{
+  // All ranges are 1.6 to 2.6 m: those of areas 1.4 times as large as at 1 m.
+  const auto noise = [] (float z) { return 0.001f * z; };
+  const Cloud::Ptr cloud =
+      render ({tiltedPlane (1.9f, 0.f, 0.f)}, 160, 120, noise).cloud;
+  Estimation growing, fixed;
+  growing.setDepthDependentSmoothing (true);
+  growing.setNormalSmoothingSize (10.f);
+  fixed.setNormalSmoothingSize (14.f);
+  for (Estimation* estimation : {&growing, &fixed}) {
+    estimation->setEdgeAware (false);
+    estimation->setScaleSelection (false);
+  }
+  const Normals normals = estimate (growing, cloud), expected = estimate (fixed, cloud);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    EXPECT_LT (angleDegrees (normals[i].getNormalVector3fMap(),
+                             expected[i].getNormalVector3fMap()),
+               0.1f)
+        << i;
+}
+
+TEST (TangentNormalInterface, RectanglesHaveTheirSizeAtEveryRange)
+{
+  const Cloud::Ptr cloud = render ({tiltedPlane (4.f, 30.f, 20.f)}, 160, 120).cloud;
+  Estimation estimation, expected;
+  estimation.setDepthDependentSmoothing (true);
+  for (Estimation* e : {&estimation, &expected})
+    e->setRectSize (11, 7);
+  EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate (expected, cloud)));
 }
 
 TEST (TangentNormalInterface, SettersTakeEffectInAnyOrder)

@@ -220,6 +220,20 @@ TEST (TwoRunNormal, RadiusGrowsAlongTheViewingAxis)
   EXPECT_TRUE (sameBits (estimate<Estimation> (in_camera), expected));
 }
 
+TEST (TwoRunNormal, WhereTheSecondRunLeavesALineThePlaneOfTheFirstOneStands)
+{
+  // Two points far off the plane that they make of a line do not count the second time.
+  const Cloud::Ptr cloud (new Cloud);
+  for (int i = -20; i <= 20; ++i)
+    cloud->emplace_back (0.001f * static_cast<float> (i), 0.f, 1.f);
+  cloud->emplace_back (0.f, 0.02f, 1.01f);
+  cloud->emplace_back (0.f, -0.02f, 1.01f);
+  Estimation estimation;
+  estimation.setRadius (0.1f, 0.f);
+  const Normals normals = estimate (estimation, cloud);
+  EXPECT_GT (std::abs (normals[20].normal_z), 0.99f);
+}
+
 TEST (TwoRunNormal, TooFewNeighboursAndLines)
 {
   Cloud::Ptr line (new Cloud (30, 1));
