@@ -342,6 +342,7 @@ TEST (ProjectOntoPlanes, NoiseOfFarPlanesFallsFivefold)
 TEST (ProjectOntoPlanes, RayFactorsThatMakeNoSenseAreRefused)
 {
   pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
+  EXPECT_EQ (projection.getMaxRayFactor(), 10.f);
   projection.setMaxRayFactor (20.f);
   for (const float wrong : {-1.f, std::numeric_limits<float>::quiet_NaN()})
     projection.setMaxRayFactor (wrong);

@@ -172,6 +172,57 @@ TEST (DepthNoiseEstimation, FarSurfacesAlone)
   EXPECT_NEAR (noise.quadratic, 0.002f, 0.0003f);
 }
 
+TEST (DepthNoiseEstimation, LevelsHave20BlocksOrMore)
+{
+  // Blocks of 8 x 8 pixels: 5 x 4 of them, and 19 where one is missing.
+  Cloud cloud (40, 32);
+  for (int v = 0; v < 32; ++v)
+    for (int u = 0; u < 40; ++u)
+      cloud (u, v) = {0.002f * u, 0.002f * v, 1.05f};
+  DepthNoiseEstimation all, missing;
+  EXPECT_TRUE (all.addFrame (cloud));
+  EXPECT_EQ (all.getLevels().size(), 1u);
+  for (int u = 0; u < 8; ++u)
+    cloud (u, 0).z = synthetic::nan;
+  EXPECT_TRUE (missing.addFrame (cloud));
+  EXPECT_TRUE (missing.getLevels().empty());
+}
+
+TEST (DepthNoiseEstimation, NormalsScatterFiveTimesAtMost)
+{
+  // Each block is tilted on its own.
+  const DepthNoise precise{0.0001f, 0.0001f};
+  Cloud cloud = renderNoisy ({tiltedPlane (1.f, 0.f, 0.f)}, precise, 320, 240);
+  std::mt19937 generator (2);
+  std::uniform_real_distribution<float> slope (-0.02f, 0.02f);
+  for (int v = 0; v < 240; v += 8)
+    for (int u = 0; u < 320; u += 8) {
+      const float right = slope (generator), down = slope (generator);
+      for (int k = 0; k < 64; ++k) {
+        auto point = cloud (u + k % 8, v + k / 8).getVector3fMap();
+        point *= 1.f + right * (k % 8 - 3.5f) / 8.f + down * (k / 8 - 3.5f) / 8.f;
+      }
+    }
+  DepthNoiseEstimation estimation;
+  EXPECT_TRUE (estimation.addFrame (cloud));
+  EXPECT_EQ (estimate (estimation).normal_scatter, DepthNoise::max_normal_scatter);
+}
+
+TEST (DepthNoiseEstimation, NothingStaysOfAnotherCamera)
+{
+  const Surface wall = tiltedPlane (2.f, 0.f, 10.f);
+  DepthNoiseEstimation used, fresh;
+  EXPECT_TRUE (used.addFrame (renderNoisy ({wall}, {0.01f, 0.01f}, 320, 240)));
+  used.clearFrames();
+  for (DepthNoiseEstimation* estimation : {&used, &fresh})
+    EXPECT_TRUE (
+        estimation->addFrame (renderNoisy ({wall}, {0.001f, 0.002f}, 320, 240)));
+  const DepthNoise noise = estimate (used), expected = estimate (fresh);
+  EXPECT_EQ (noise.constant, expected.constant);
+  EXPECT_EQ (noise.quadratic, expected.quadratic);
+  EXPECT_EQ (noise.normal_scatter, expected.normal_scatter);
+}
+
 TEST (DepthNoiseEstimation, BadInput)
 {
   DepthNoiseEstimation estimation;

@@ -207,6 +207,9 @@ TEST (ObjectInputs, RefusesBadInput)
 TEST (ObjectInputs, DefaultsAreThoseOfThePaper)
 {
   const Extraction extraction;
+  EXPECT_FLOAT_EQ (extraction.getHorizontalTolerance(), 0.26f);
+  EXPECT_FLOAT_EQ (extraction.getClusterTolerance(), 1.f);
+  EXPECT_FALSE (extraction.getSplitAtConcaveEdges());
   EXPECT_FLOAT_EQ (extraction.getMinPlaneHeight(), 0.f);
   EXPECT_FLOAT_EQ (extraction.getMaxPlaneHeight(), 1.2f);
   EXPECT_FLOAT_EQ (extraction.getMaxObjectHeight(), 0.3f);

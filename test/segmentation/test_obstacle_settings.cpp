@@ -40,6 +40,19 @@ TEST (ObstacleSettings, HeightsOfObstaclesAndDepthsOfDropsAreSettings)
   EXPECT_EQ (result.count (ObstacleClass::drop_off), 0u);
 }
 
+TEST (ObstacleSettings, ScansAreOf180DegreesUpTo10MetresAndUnder2)
+{
+  const Detection detection;
+  const auto& limits = detection.getScanLimits();
+  EXPECT_FLOAT_EQ (limits.angle_min, static_cast<float> (-M_PI / 2.));
+  EXPECT_FLOAT_EQ (limits.angle_max, static_cast<float> (M_PI / 2.));
+  EXPECT_FLOAT_EQ (limits.angle_increment, static_cast<float> (M_PI / 360.));
+  EXPECT_EQ (limits.range_min, 0.f);
+  EXPECT_EQ (limits.range_max, 10.f);
+  EXPECT_EQ (limits.max_height, 2.f);
+  EXPECT_EQ (detection.getMinClusterSize(), 0u);
+}
+
 TEST (ObstacleSettings, SettersRefuseWhatMakesNoSense)
 {
   Detection detection;

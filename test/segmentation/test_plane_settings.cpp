@@ -11,6 +11,19 @@
 using namespace plane_clouds;
 using synthetic::angleDegrees;
 
+TEST (PlaneSettings, Defaults)
+{
+  const Ours segmentation;
+  EXPECT_EQ (segmentation.getMinInliers(), 1000u);
+  EXPECT_EQ (segmentation.getAngularThreshold(), 0.2);
+  EXPECT_EQ (segmentation.getDistanceThreshold(), 0.009);
+  EXPECT_FLOAT_EQ (static_cast<float> (segmentation.getMaximumCurvature()), 0.08f);
+  EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
+  EXPECT_EQ (segmentation.getNormalSpaceGrid(),
+             pcl::rgbd_planes::NormalSpaceGrid::voxels);
+  EXPECT_FALSE (segmentation.getProjectPoints());
+}
+
 TEST (PlaneSettings, DepthNoiseSaysHowFarPointsSpread)
 {
   const Scene scene = render ({tiltedPlane (4.f, 0.f, 0.f)}, 320, 240, kinectSigma);
