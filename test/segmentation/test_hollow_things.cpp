@@ -246,3 +246,13 @@ TEST (HollowThings, WhatIsHigherBehindAPlateIsAnother)
   EXPECT_EQ (found.objects.size(), 2u);
   EXPECT_TRUE (found.areAllWhole());
 }
+
+TEST (HollowThings, WhatIsWiderBehindAPlateIsAnother)
+{
+  Scene scene = tableBelow();
+  scene.addBox (onTable (0.f, 0.f), {0.008f, 0.1f, 0.1f}, red);
+  scene.addBox (onTable (0.08f, 0.f), {0.008f, 0.3f, 0.1f}, {{0.2f, 0.2f, 0.7f}, 2});
+  const Found found = find (scene);
+  EXPECT_EQ (found.objects.size(), 2u);
+  EXPECT_TRUE (found.areAllWhole());
+}
