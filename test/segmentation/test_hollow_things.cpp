@@ -189,6 +189,27 @@ TEST (HollowThings, ABowlIsOneObjectWithItsFoot)
     }
 }
 
+/** Their walls are too steep for a foot, and their sides are seen. */
+TEST (HollowThings, BowlsAndPotsAreOneObjectByTheirRims)
+{
+  struct {
+    float x, bottom, top, height;
+  } const vessels[] = {{-0.2f, 0.04f, 0.1f, 0.09f},
+                       {0.f, 0.04f, 0.1f, 0.09f},
+                       {0.25f, 0.06f, 0.1f, 0.15f},
+                       {0.25f, 0.08f, 0.1f, 0.15f},
+                       {0.f, 0.072f, 0.12f, 0.06f}};
+  for (const auto& vessel : vessels) {
+    Scene scene = tableBelow();
+    scene.addVessel (onTable (vessel.x, 0.1f),
+                     {vessel.bottom, vessel.top, vessel.height, 0.004f},
+                     red);
+    const Found found = find (scene);
+    EXPECT_EQ (found.objects.size(), 1u) << vessel.bottom << ' ' << vessel.height;
+    EXPECT_TRUE (found.areAllWhole()) << vessel.bottom << ' ' << vessel.height;
+  }
+}
+
 TEST (HollowThings, CupsInARowAreSeveral)
 {
   const auto add = [] (Scene& scene, const Eigen::Affine3f& pose, const Look& look) {
