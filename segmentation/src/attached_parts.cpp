@@ -58,10 +58,9 @@ AttachedParts::find (const OrganizedPoints& points,
   const std::size_t largest =
       sizes_.empty() ? 0 : *std::max_element (sizes_.begin(), sizes_.end());
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    const SupportPlane& support = supports.planes()[clusters[k].support];
-    if (min_ratio * sizes_[k] > largest ||
-        liesOnOneOf (supports.background(), points, clusters[k].runs, parameters.noise))
+    if (min_ratio * sizes_[k] > largest)
       continue;
+    const SupportPlane& support = supports.planes()[clusters[k].support];
     findContacts (clusters[k], support);
     contacts_with_.assign (clusters.size(), 0);
     for (const Contact& contact : contacts_)
@@ -70,7 +69,10 @@ AttachedParts::find (const OrganizedPoints& points,
           clusters[contact.other].support == clusters[k].support;
     const auto most = std::max_element (contacts_with_.begin(), contacts_with_.end());
     const auto other = static_cast<std::size_t> (most - contacts_with_.begin());
-    if (*most >= min_contacts && isPart (clusters[k], support, other, parameters))
+    // A strip of the wall behind is no part.
+    if (*most >= min_contacts && isPart (clusters[k], support, other, parameters) &&
+        !liesOnOneOf (
+            supports.background(), points, clusters[k].runs, parameters.noise))
       sets.join (static_cast<std::uint32_t> (k), static_cast<std::uint32_t> (other));
   }
 }
