@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace pcl {
 namespace rgbd_planes {
 
@@ -14,8 +16,9 @@ namespace {
 constexpr double min_error = 0.72;
 /** Strips are longer, in widths. */
 constexpr double max_length = 5.;
-/** Walls are wider, in metres, and clothes are not. Of the least share of near normals,
- * this one is enough on them: far ones that the camera bends have little more. */
+/** Walls are wider, in metres, and clothes hardly are. Of the least share of near normals,
+ * this one is enough on them, and less the wider they are: far ones that the camera bends have
+ * little more, and those of depth with gaps much less. */
 constexpr double max_uneven_width = 0.6, enough_if_wide = 0.8;
 
 } // namespace
@@ -34,9 +37,9 @@ isUneven (const PlaneMoments& points,
   // The normals of strips do not tell: they are averages over windows that reach beyond.
   if (squares[2] > max_length * max_length * squares[1])
     return false;
-  const double squared_width = 12. * squares[1]; // of a rectangle full of points
-  return squared_width < max_uneven_width * max_uneven_width ||
-         near_normals < enough_if_wide * min_near_normals;
+  const double width = std::sqrt (12. * squares[1]); // of a rectangle full of points
+  return width < max_uneven_width ||
+         near_normals * width < enough_if_wide * min_near_normals * max_uneven_width;
 }
 
 } // namespace rgbd_planes

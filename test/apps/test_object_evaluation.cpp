@@ -98,7 +98,8 @@ TEST_F (ObjectEvaluationTest, ObjectsInPieces)
             {range (100, 300), {}, false}};
   EXPECT_EQ (evaluate().apart.in_pieces, 1u);
   EXPECT_EQ (evaluate().touching.in_pieces, 0u);
-  found_.push_back ({range (299, 301), {}, false}); // half of it lies on no object
+  found_.emplace_back();
+  found_.back().indices = range (299, 301); // half of it lies on no object
   EXPECT_EQ (evaluate().all().in_pieces, 2u);
   found_.back().indices = range (299, 302); // most of it does
   EXPECT_EQ (evaluate().all().in_pieces, 1u);

@@ -13,10 +13,16 @@
 
 using namespace plane_clouds;
 
-TEST (PlaneNormals, AWallIsFlatWhereItsPointsAreThoughNormalsScatter)
+namespace {
+
+/** The planes of a wall that fills the image, a third of whose normals are its own.
+ * \param[in] noise this many times that of a Kinect */
+Result
+findWall (float range, float noise)
 {
-  const std::vector<Surface> wall{tiltedPlane (0.8f, 0.f, 0.f)};
-  const Scene scene = render (wall, 320, 240);
+  const std::vector<Surface> wall{tiltedPlane (range, 0.f, 0.f)};
+  const Scene scene = render (
+      wall, 320, 240, [=] (float z) { return noise * (0.001f + 0.002f * z * z); });
   const Normals::Ptr normals = trueNormals (scene, wall);
   std::mt19937 random (1);
   for (auto& normal : *normals)
@@ -30,8 +36,24 @@ TEST (PlaneNormals, AWallIsFlatWhereItsPointsAreThoughNormalsScatter)
   segmentation.setInputNormals (normals);
   Result result;
   segment (segmentation, result);
+  return result;
+}
+
+} // namespace
+
+TEST (PlaneNormals, AWallIsFlatWhereItsPointsAreThoughNormalsScatter)
+{
+  const Result result = findWall (0.8f, 0.f);
   ASSERT_EQ (result.models.size(), 1u);
-  EXPECT_GT (result.inliers[0].indices.size(), scene.cloud->size() * 4 / 5);
+  EXPECT_GT (result.inliers[0].indices.size(), 320u * 240u * 4 / 5);
+}
+
+TEST (PlaneNormals, WhatIsWiderThanClothesIsAWallThoughNormalsScatter)
+{
+  EXPECT_TRUE (findWall (0.5f, 1.f).models.empty());
+  const Result result = findWall (1.6f, 1.f); // 1.4 m high
+  ASSERT_EQ (result.models.size(), 1u);
+  EXPECT_GT (result.inliers[0].indices.size(), 320u * 240u * 4 / 5);
 }
 
 TEST (PlaneNormals, ThoseThatAreAlmostOfUnitLengthCount)

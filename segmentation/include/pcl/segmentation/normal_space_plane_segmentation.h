@@ -172,8 +172,9 @@ public:
    * share of the normals of their points is near their own, and the points are farther off
    * than on flat surfaces; 0 to 1 (others: an error message), default 0.75, 0 keeps all.
    * Strips more than five times as long as wide are kept: around them, normals are averages
-   * with what lies beside. Planes more than 0.6 m wide need 0.8 times the share only, as
-   * clothes are not so wide, and far walls that the camera bends have little more. */
+   * with what lies beside. Planes more than 0.6 m wide need 0.8 times the share only, and
+   * less in proportion to their width, as clothes are hardly so wide, and the normals of walls
+   * scatter where the camera bends them or pixels are missing. */
   void
   setMinimumNearNormals (double share)
   {
