@@ -59,7 +59,8 @@ struct PlaneExtractionParameters {
   }
 };
 
-/** \brief Why candidates did not become planes: how many in the last frame. */
+/** \brief Why candidates did not become planes: how many in the last frame. What is left over is
+ * tried twice, so that a surface may be two candidates. */
 struct PlaneRejections {
   /** The plane had too few points. */
   std::size_t too_few_points = 0;

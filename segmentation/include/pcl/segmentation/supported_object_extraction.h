@@ -83,9 +83,9 @@ struct SupportedObject {
  *
  * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
  * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
- * normal for each point: an error message and no objects. No supporting plane while
- * setCameraToBase was not called: a warning, once for frames in a row. What a setter cannot
- * take: an error message, and the value before stays.
+ * normal for each point: an error message and no objects. Planes of which none is a supporting
+ * one, while setCameraToBase was not called: a warning, once for frames in a row. What a setter
+ * cannot take: an error message, and the value before stays.
  *
  * \ingroup segmentation
  */
