@@ -4,7 +4,6 @@
 #include <pcl/segmentation/attached_parts.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -36,6 +35,13 @@ valueAbove (std::vector<float>& values, std::size_t number)
                      static_cast<std::ptrdiff_t> (std::min (number, values.size() - 1));
   std::nth_element (values.begin(), place, values.end());
   return *place;
+}
+
+bool
+isNear (const float* p, const float* q)
+{
+  const Eigen::Map<const Eigen::Vector3f> from (p), to (q);
+  return (from - to).norm() <= max_distance;
 }
 
 } // namespace
@@ -81,41 +87,19 @@ void
 AttachedParts::findContacts (const ObjectCluster& cluster, const SupportPlane& support)
 {
   contacts_.clear();
+  const std::size_t pixels = occlusions_->maxGap() + 1;
   for (const PointRun& run : cluster.runs)
     for (std::uint32_t i = run.first; i < run.first + run.length; ++i)
       for (const std::ptrdiff_t step : {std::ptrdiff_t{-points_.width},
                                         std::ptrdiff_t{-1},
                                         std::ptrdiff_t{1},
                                         std::ptrdiff_t{points_.width}}) {
-        Contact contact;
-        if (!findContact (i, step, contact))
+        const auto next = occlusions_->nextCluster (i, step, pixels);
+        if (!next || !isNear (points_[i], points_[next->point]))
           continue;
-        contact.height = support.plane.distance (points_[i]);
-        contacts_.push_back (contact);
+        contacts_.push_back ({next->cluster, support.plane.distance (points_[i])});
         break;
       }
-}
-
-/** Whether the next cluster along the image is another one that is near. */
-bool
-AttachedParts::findContact (std::uint32_t i,
-                            std::ptrdiff_t step,
-                            Contact& contact) const
-{
-  const auto& owners = occlusions_->owners();
-  std::uint32_t j = i;
-  for (std::size_t skipped = 0; skipped <= occlusions_->maxGap(); ++skipped) {
-    const std::uint32_t next = nextPixel (points_, j, step);
-    if (next == j || owners[next] == owners[i])
-      return false;
-    j = next;
-    if (owners[j] == 0)
-      continue;
-    const Eigen::Map<const Eigen::Vector3f> from (points_[i]), to (points_[j]);
-    contact.other = owners[j] - 1;
-    return (from - to).norm() <= max_distance;
-  }
-  return false;
 }
 
 /** Whether the cluster neither stands on its plane nor rests on the other one. */

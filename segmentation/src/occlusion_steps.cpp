@@ -102,23 +102,32 @@ bool
 OcclusionSteps::findFront (OcclusionStep& step) const
 {
   const std::ptrdiff_t up = extents_[step.behind].up;
-  const auto most = static_cast<std::size_t> (points_.width / ways);
-  std::uint32_t i = step.lowest;
-  for (step.skipped = 0; step.skipped < most; ++step.skipped) {
-    const std::uint32_t below = nextPixel (points_, i, -up);
-    if (below == i)
-      return false;
-    i = below;
-    if (owner_[i] == 0)
-      continue;
-    if (owner_[i] == owner_[step.lowest])
-      return false;
-    step.front = owner_[i] - 1;
-    step.edge = i;
-    step.depth = rangeFrom (step.lowest, up, true) - rangeFrom (i, -up, false);
-    return true;
+  const auto front =
+      nextCluster (step.lowest, -up, static_cast<std::size_t> (points_.width / ways));
+  if (!front)
+    return false;
+  step.front = front->cluster;
+  step.edge = front->point;
+  step.skipped = front->skipped;
+  step.depth = rangeFrom (step.lowest, up, true) - rangeFrom (step.edge, -up, false);
+  return true;
+}
+
+std::optional<OcclusionSteps::Neighbour>
+OcclusionSteps::nextCluster (std::uint32_t point,
+                             std::ptrdiff_t step,
+                             std::size_t pixels) const
+{
+  std::uint32_t i = point;
+  for (std::size_t skipped = 0; skipped < pixels; ++skipped) {
+    const std::uint32_t next = nextPixel (points_, i, step);
+    if (next == i || owner_[next] == owner_[point])
+      return {};
+    i = next;
+    if (owner_[i] != 0)
+      return Neighbour{i, owner_[i] - 1u, skipped};
   }
-  return false;
+  return {};
 }
 
 /** That of the nearest or the farthest of the next points of a cluster. */

@@ -45,9 +45,6 @@ private:
   findContacts (const ObjectCluster& cluster, const SupportPlane& support);
 
   bool
-  findContact (std::uint32_t i, std::ptrdiff_t step, Contact& contact) const;
-
-  bool
   isPart (const ObjectCluster& cluster,
           const SupportPlane& support,
           std::size_t other,

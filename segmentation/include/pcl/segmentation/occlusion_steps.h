@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -58,12 +59,19 @@ public:
     return extents_[cluster].lines;
   }
 
-  /** \brief The cluster of each point, from 1 on, or 0. */
-  const std::vector<std::uint32_t>&
-  owners () const
-  {
-    return owner_;
-  }
+  /** \brief A point of another cluster, and how many pixels without a cluster are before it. */
+  struct Neighbour {
+    std::uint32_t point = 0;
+    std::size_t cluster = 0;
+    std::size_t skipped = 0;
+  };
+
+  /** \brief What comes next on the way from a point of a cluster to the pixel \a step further,
+   * and so on, if that is another cluster.
+   * \param[in] pixels how many to look at
+   */
+  std::optional<Neighbour>
+  nextCluster (std::uint32_t point, std::ptrdiff_t step, std::size_t pixels) const;
 
   /** \brief How many pixels there are, at most, between points that are next to each other, for
    * edges lack depth. */
