@@ -31,8 +31,7 @@ DetectionPipeline::setPose (const std::optional<Eigen::Affine3f>& camera_to_base
                      : estimateCameraToBase (models_).value_or (defaultCameraToBase());
   detection_.setCameraToBase (pose);
   extraction_.setCameraToBase (pose);
-  const double lowest_m = camera_to_base ? 0. : -2.; // what has height 0 may be a table
-  const double highest_m = camera_to_base ? 1.2 : 2.;
+  const auto [lowest_m, highest_m] = planeHeights (camera_to_base.has_value());
   extraction_.setPlaneHeights (lowest_m, highest_m);
 }
 

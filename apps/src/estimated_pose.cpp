@@ -31,5 +31,11 @@ estimateCameraToBase (const std::vector<pcl::ModelCoefficients>& planes)
       planes[findLikelyFloor (planes)].values.data()));
 }
 
+PlaneHeights
+planeHeights (bool is_pose_known)
+{
+  return is_pose_known ? PlaneHeights{0., 1.2} : PlaneHeights{-2., 2.};
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

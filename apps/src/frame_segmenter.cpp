@@ -159,8 +159,8 @@ FrameSegmenter::findObjects (const Frame& frame, FrameSummary& summary)
   const Stopwatch watch;
   if (summary.camera_to_base)
     extraction_.setCameraToBase (*summary.camera_to_base);
-  const bool known = isKnown (summary.pose); // else what has height 0 may be a table
-  extraction_.setPlaneHeights (known ? 0. : -2., known ? 1.2 : 2.);
+  const auto [lowest_m, highest_m] = planeHeights (isKnown (summary.pose));
+  extraction_.setPlaneHeights (lowest_m, highest_m);
   extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
   extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);

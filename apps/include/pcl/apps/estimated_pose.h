@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -27,6 +28,14 @@ findLikelyFloor (const std::vector<pcl::ModelCoefficients>& planes);
  * cameraToBaseFromFloor(); nothing where there is no plane. */
 std::optional<Eigen::Affine3f>
 estimateCameraToBase (const std::vector<pcl::ModelCoefficients>& planes);
+
+/** \brief The heights of planes that may support objects, in metres: the least and the largest. */
+using PlaneHeights = std::array<double, 2>;
+
+/** \brief Those of the paper; more where the pose of the camera is unknown, for what has height 0
+ * may be a table. */
+PlaneHeights
+planeHeights (bool is_pose_known);
 
 } // namespace rgbd_planes
 } // namespace pcl
