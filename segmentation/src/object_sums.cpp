@@ -30,7 +30,7 @@ constexpr double leaks_of_width = 0.1;
 constexpr float off_background_sigmas = 5.f;
 /** What ends, along a larger part of its tops, at something nearer may go on behind it: a leg
  * of a table, below the edge of its top. What does not end there, however thin, goes on: a pole. */
-constexpr double may_go_on = 0.5;
+constexpr double may_go_on = 0.4;
 /** Objects have more points for each row and each column of the image that they lie in. */
 constexpr double min_width = 1.25;
 
@@ -181,6 +181,7 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
                                    Sums& sums) const
 {
   const std::ptrdiff_t step = stepUpwards (run.first);
+  const std::ptrdiff_t side = step == 1 || step == -1 ? points_.width : 1;
   // What is level with another plane is nowhere, and yet may be too high.
   const auto isOutside = [&] (std::uint32_t j) {
     return place_[j] == outside ||
@@ -204,6 +205,13 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
     sums.leaks += leaks;
     sums.at_background += is_at_background;
     std::uint32_t last = i, k = nextPixel (points_, i, step);
+    const auto goesOnBeside = [&] (std::ptrdiff_t step_to) {
+      const std::uint32_t j = nextPixel (points_, k, step_to);
+      return j != k && place_[j] == place_[i] && limit.allows (points_[i], points_[j]);
+    };
+    // What leans has sides, not tops, that end there.
+    if (goesOnBeside (side) || goesOnBeside (-side))
+      return;
     for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
          k = nextPixel (points_, k, step))
       last = k;

@@ -19,7 +19,8 @@ constexpr int cells_in_row = 160;
 /** Where a plane that differs begins, noise alone decides which points are on it: samples
  * of it are higher than that above the floor. */
 constexpr float sample_sigmas = 1.f;
-/** The error of depth moves points of a floor by less. */
+/** Noise moves points of a part of the floor by less from the floor, or from their own plane
+ * where the smooth error of depth tilts that. */
 constexpr float part_point_sigmas = 3.f;
 /** Of the 9 of a window. */
 constexpr float enough_samples = 6.f;
@@ -141,8 +142,10 @@ ObstaclePoints::judgePlanes (const ObstacleFrame& frame,
     const float* p = frame.points[i];
     const float height = heightAbove (frame.floor.coefficients(), p);
     if (is_part) {
-      const float sigma = parameters_.noise.sigma (squaredRange (p));
-      if (std::abs (height) <= part_point_sigmas * sigma)
+      const float limit =
+          part_point_sigmas * parameters_.noise.sigma (squaredRange (p));
+      const float own_height = heightAbove (frame.planes.coefficients[plane], p);
+      if (std::abs (height) <= limit || std::abs (own_height) <= limit)
         classes[i] = ObstacleClass::floor;
     }
     else if (level > parameters_.min_height && height > 0.f)

@@ -25,6 +25,22 @@ TEST (FloorLevels, APieceOfTheFloorThatTheErrorOfDepthBentIsFloor)
   }
 }
 
+TEST (FloorLevels, APieceOfTheFloorIsFloorToItsEnds)
+{
+  const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);
+  Patch floor = floorAt (0.f);
+  floor.covers = [] (const Eigen::Vector3f& p) { return p.y() < 0.5f; };
+  // Its near end is 3.5 standard deviations of depth below the floor, or above it.
+  for (const float slope : {0.05f, -0.05f}) {
+    const Patch piece{Eigen::Vector3f (0.f, -slope, 1.f).normalized(),
+                      {0.f, 1.5f, 0.f},
+                      [] (const Eigen::Vector3f& p) { return p.y() > 0.7f; }};
+    const FloorScene scene ({floor, piece}, high, 320, kinectSigma);
+    const Result result = detect (scene);
+    EXPECT_GT (share (scene, result, 1, 1, ObstacleClass::floor), 0.99) << slope;
+  }
+}
+
 TEST (FloorLevels, OnlyLargePiecesOfTheFloorMayBeBentMuch)
 {
   const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);

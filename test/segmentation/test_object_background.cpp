@@ -115,7 +115,7 @@ TEST (ObjectBackground, WhatGoesOnBehindSomethingNearerIsNoObject)
   const Box stump{{2.f, 0.f, 0.f}, {0.08f, 0.08f, 0.2f}};
   // It hides what is higher than 25 cm at the post.
   const Box beam{{1.5f, 0.f, 0.54f}, {0.05f, 0.6f, 0.6f}};
-  for (const float roll : {0.f, 0.5f, 1.f, 1.5f}) {
+  for (const float roll : {0.f, 0.1f, 0.2f, 0.5f, 1.f, 1.5f, 1.9f}) {
     Camera camera;
     camera.roll = roll * static_cast<float> (M_PI);
     const View hidden = look ({floor_slab, post, beam}, camera);
