@@ -4,12 +4,12 @@
 """run_snippets.py DOCUMENT SOURCE PREFIX: runs the shell snippets of a document, in a folder with
 little more than links to doc and scripts, against the project installed to PREFIX.
 
-Blocks of the language sh are run as they are, and must succeed; to keep this short, ten seeds
-become one, and evaluations take one frame of each input, at QQVGA unless they say which size. Blocks of the language console are
-commands after "$ ", each with what it prints: numbers may be off by one in their last digit, and
-"..." stands for anything. Blocks with $DATA are left out where PCL_RGBD_PLANES_DATA is not set, and
-those that are marked not-in-tests always: they install packages and build this project, as the
-tests' own script does, or take long.
+Blocks of the language sh are run as they are, and must succeed; to keep this short, a range of
+seeds becomes its first one, and evaluations take one frame of each input, at QQVGA unless they say
+which size. Blocks of the language console are commands after "$ ", each with what it prints:
+numbers may be off by one in their last digit, and "..." stands for anything. Blocks with $DATA are
+left out where PCL_RGBD_PLANES_DATA is not set, and those that are marked not-in-tests always: they
+install packages and build this project, as the tests' own script does, or take long.
 
 The C++ and CMake of README.md is compiled by test/consumers, that of tutorials by their own
 commands."""
@@ -126,7 +126,7 @@ def run_document(document, source, folder, environment):
         if language == "console":
             run_console(text, folder, environment)
         elif language == "sh" and ("$DATA" not in text or environment["DATA"]):
-            run(text.replace("{1..10}", "1"), folder, environment)
+            run(re.sub(r"{(\d+)\.\.\d+}", r"\1", text), folder, environment)
         elif language not in ("sh", "sh not-in-tests", "text", "diff", "cpp", "cmake"):
             sys.exit(f"{document.name}: a code block of the language {language!r}")
 
