@@ -101,7 +101,8 @@ private:
     std::size_t at_background = 0;
     /** those that are on no such plane for certain, nor on the supporting one. */
     std::size_t off_background = 0;
-    /** Those with nothing above them in the image that is above the same plane. */
+    /** Those with nothing above them in the image that is above the same plane, nor on the
+     * same surface beside that: what leans has sides. */
     std::size_t tops = 0;
     /** Of these, those that end at something nearer, or do not end there. */
     std::size_t going_on = 0;
