@@ -13,9 +13,8 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Parts have so many times the least number of points of an object, and so many cells, of
- * which an image of any size has about as many. */
-constexpr unsigned min_part = 2, min_part_cells = 20;
+/** Parts have so many cells at least: of fewer, most are pieces that noise cuts off. */
+constexpr unsigned min_part_cells = 20;
 /** Normals are fetched before so many runs. */
 constexpr std::size_t runs_ahead = 4;
 
@@ -114,9 +113,8 @@ ConcaveSplit::findPatches (float pixel_angle)
 void
 ConcaveSplit::countParts (std::size_t clusters)
 {
-  const std::uint32_t min_cells =
-      std::max (min_part * parameters_.min_points / (image_.step() * image_.step()),
-                min_part_cells);
+  const std::uint32_t min_cells = std::max (
+      parameters_.min_points / (image_.step() * image_.step()), min_part_cells);
   first_part_.assign (clusters + 1, 0);
   for (std::uint32_t k = 0; k < patches_.size(); ++k)
     if (runs_.root (k) == k && patches_[k].cells >= min_cells)

@@ -123,6 +123,26 @@ TEST (ObjectClusters, SplitsTouchingObjects)
     EXPECT_GT (bestIou (objects, view, box), 0.85) << box;
 }
 
+TEST (ObjectClusters, SplitsASmallObjectFromALargeOneBehind)
+{
+  // Neighbours on the two are as far apart as on their tops; the small one has 48 points.
+  Camera camera = camera_near_tops;
+  camera.width = 160;
+  camera.image_height = 120;
+  const View view = look ({floor_slab,
+                           deep_table,
+                           Box{{1.9f, 0.1f, 0.7f}, {0.15f, 0.15f, 0.2f}},
+                           Box{{1.75f, 0.1f, 0.7f}, {0.09f, 0.09f, 0.09f}}},
+                          camera);
+  Extraction extraction;
+  extraction.setMinPoints (30);
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  EXPECT_EQ (objects.size(), 2u);
+  for (const int box : {2, 3})
+    EXPECT_GT (bestIou (objects, view, box), 0.8) << box;
+}
+
 TEST (ObjectClusters, SplitKeepsAConvexObjectWhole)
 {
   const View view =
