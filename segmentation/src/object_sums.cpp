@@ -210,7 +210,7 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
       return j != k && place_[j] == place_[i] && limit.allows (points_[i], points_[j]);
     };
     // What leans has sides, not tops, that end there.
-    if (goesOnBeside (side) || goesOnBeside (-side))
+    if (place_[k] == place_[i] || goesOnBeside (side) || goesOnBeside (-side))
       return;
     for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
          k = nextPixel (points_, k, step))
