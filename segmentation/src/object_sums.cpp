@@ -205,12 +205,14 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
     sums.leaks += leaks;
     sums.at_background += is_at_background;
     std::uint32_t last = i, k = nextPixel (points_, i, step);
+    if (place_[k] == place_[i])
+      return;
     const auto goesOnBeside = [&] (std::ptrdiff_t step_to) {
       const std::uint32_t j = nextPixel (points_, k, step_to);
       return j != k && place_[j] == place_[i] && limit.allows (points_[i], points_[j]);
     };
     // What leans has sides, not tops, that end there.
-    if (place_[k] == place_[i] || goesOnBeside (side) || goesOnBeside (-side))
+    if (goesOnBeside (side) || goesOnBeside (-side))
       return;
     for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
          k = nextPixel (points_, k, step))

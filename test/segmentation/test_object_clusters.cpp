@@ -15,6 +15,15 @@ namespace {
 /** It sees the tops of things on deep_table at a flat angle. */
 const Camera camera_near_tops{1.25f, 0.4f};
 
+Camera
+smallCameraNearTops ()
+{
+  Camera camera = camera_near_tops;
+  camera.width = 160;
+  camera.image_height = 120;
+  return camera;
+}
+
 } // namespace
 
 TEST (ObjectClusters, ApartObjects)
@@ -49,11 +58,8 @@ TEST (ObjectClusters, ClusterTolerance)
 TEST (ObjectClusters, TopsSeenAtAFlatAngle)
 {
   // Rows of the top are 6 cm apart, which is more than elsewhere on an object.
-  Camera camera = camera_near_tops;
-  camera.width = 160;
-  camera.image_height = 120;
   const Box box{{1.8f, 0.1f, 0.7f}, {0.2f, 0.25f, 0.12f}};
-  const View view = look ({floor_slab, deep_table, box}, camera);
+  const View view = look ({floor_slab, deep_table, box}, smallCameraNearTops());
   Extraction extraction;
   extraction.setMinPoints (20);
   const Objects objects = extract (extraction, view);
@@ -126,14 +132,11 @@ TEST (ObjectClusters, SplitsTouchingObjects)
 TEST (ObjectClusters, SplitsASmallObjectFromALargeOneBehind)
 {
   // Neighbours on the two are as far apart as on their tops; the small one has 48 points.
-  Camera camera = camera_near_tops;
-  camera.width = 160;
-  camera.image_height = 120;
   const View view = look ({floor_slab,
                            deep_table,
                            Box{{1.9f, 0.1f, 0.7f}, {0.15f, 0.15f, 0.2f}},
                            Box{{1.75f, 0.1f, 0.7f}, {0.09f, 0.09f, 0.09f}}},
-                          camera);
+                          smallCameraNearTops());
   Extraction extraction;
   extraction.setMinPoints (30);
   extraction.setSplitAtConcaveEdges (true);

@@ -88,9 +88,8 @@ private:
  * rises above the tangent plane of the other (Stein et al., Object Partitioning using Local
  * Convexity, 2014; here on pixels instead of supervoxels). A pixel is cut when, of two points
  * on opposite sides of it, one lies above the tangent plane of the other. What the cuts leave
- * connected are patches. Those with the points of an object (and 20 cells, of 2 x 2 points in
- * images of 480 columns and more) become clusters, and all other points join the patch that is
- * nearest along the image.
+ * connected are patches. Those with the points of an object, and 20 cells, become clusters, and
+ * all other points join the patch that is nearest along the image.
  */
 class PCL_RGBD_PLANES_EXPORTS ConcaveSplit {
 public:
