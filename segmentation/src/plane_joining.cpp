@@ -23,6 +23,10 @@ constexpr double max_growth = 2.6, max_strip_growth = 1.25, min_error = 0.8;
 /** How far off the plane of the larger part the smaller one may lie in the mean, and how
  * well that has to be known, in standard deviations. */
 constexpr double max_offset = 2.5, max_uncertainty = 0.5;
+/** Two parts of one surface that is bent may be this far off, if it is known as well, on
+ * the larger and on the smaller part, and if their normals are within 10 degrees. */
+constexpr double max_bent_offset = 6., max_bent_uncertainty = 0.2,
+                 max_bent_uncertainty_back = 1., min_bent_cosine = 0.985;
 /** Less uncertainty than this part of the range is enough, however small that deviation is. */
 constexpr double enough_certainty = 0.0005;
 /** Strips are this many times as far from each other as they are wide. */
@@ -47,15 +51,31 @@ growth (const PlaneMoments& a, const PlaneMoments& b)
   return std::max (growthOf (a), growthOf (b));
 }
 
-/** Whether it is certain where the plane of \a a meets the rays to \a b. */
+/** Whether it is certain, to so many standard deviations, where the plane of \a a meets the
+ * rays to \a b. */
 bool
-isKnownAt (const PlaneMoments& a, const PlaneMoments& b)
+isKnownAt (const PlaneMoments& a, const PlaneMoments& b, double uncertainty)
 {
   const Eigen::Vector3d mean = b.mean();
   const double variance = mean.dot (a.second().inverse() * mean);
   const double of_points = static_cast<double> (b.points) / b.weight();
-  return variance <= std::max (max_uncertainty * max_uncertainty * of_points,
+  return variance <= std::max (uncertainty * uncertainty * of_points,
                                enough_certainty * enough_certainty);
+}
+
+/** Whether both may be of one surface that the error of depth bends, which has no step
+ * between them: that is in front from one side and behind from the other. */
+bool
+bends (const PlaneMoments& larger, const PlaneMoments& smaller, double offset)
+{
+  if (!isKnownAt (larger, smaller, max_bent_uncertainty) ||
+      !isKnownAt (smaller, larger, max_bent_uncertainty_back))
+    return false;
+  const Eigen::Vector3d plane = larger.inverseDistance(),
+                        other = smaller.inverseDistance();
+  const double back = larger.meanError (other);
+  return plane.dot (other) >= min_bent_cosine * plane.norm() * other.norm() &&
+         (std::abs (back) <= max_offset || (back > 0.) == (offset > 0.));
 }
 
 /** The side of the square as wide as the points, across where they reach farthest. */
@@ -73,12 +93,16 @@ void
 PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
 {
   join (parts, [&] (std::size_t plane, std::size_t part) {
-    const PlaneMoments& larger = planes_[plane];
-    const double offset =
-        std::abs (parts[part].meanError (larger.inverseDistance())) / max_offset;
-    if (!join_parts || !(offset <= 1.) || !isKnownAt (larger, parts[part]))
+    const PlaneMoments &larger = planes_[plane], &smaller = parts[part];
+    if (!join_parts || !isKnownAt (larger, smaller, max_uncertainty))
       return 2.;
-    return std::max (growth (larger, parts[part]) / (max_growth * max_growth), offset);
+    const double offset = smaller.meanError (larger.inverseDistance());
+    const double offset_limit =
+        bends (larger, smaller, offset) ? max_bent_offset : max_offset;
+    if (!(std::abs (offset) <= offset_limit))
+      return 2.;
+    return std::max (growth (larger, smaller) / (max_growth * max_growth),
+                     std::abs (offset) / offset_limit);
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -18,16 +19,20 @@ namespace {
 constexpr double usual_noise = 0.002;
 
 /** Samples, 1 cm apart, of a square in the plane z = 1 m, whose ranges are too large by
- * \a offset standard deviations. */
+ * \a offset standard deviations, and by \a bend for each metre that x is more than 0. */
 PlaneMoments
-squareAt (double x, double side, double offset = 0., double noise = usual_noise)
+squareAt (double x,
+          double side,
+          double offset = 0.,
+          double noise = usual_noise,
+          double bend = 0.)
 {
   std::mt19937 random (1);
   std::normal_distribution<double> error (offset, 1.);
   PlaneMoments square;
   for (double u = -side / 2; u <= side / 2; u += 0.01)
     for (double v = -side / 2; v <= side / 2; v += 0.01) {
-      const double range = 1. + noise * error (random);
+      const double range = 1. + noise * error (random) + bend * (x + u);
       const Eigen::Vector3f p = (Eigen::Vector3d (x + u, v, 1.) * range).cast<float>();
       square.add (p.data(), 1. / (noise * noise));
     }
@@ -71,6 +76,30 @@ TEST (PlaneJoining, LeavesPartsAFewStandardDeviationsOff)
 {
   EXPECT_EQ (planesOf ({squareAt (-0.3, 0.4), squareAt (0.3, 0.1, 3.)}),
              (Planes{0, 1}));
+}
+
+/** As far walls, which the error of depth bends. */
+TEST (PlaneJoining, JoinsPartsOfASurfaceThatIsBent)
+{
+  const PlaneMoments larger = squareAt (-0.3, 0.4);
+  for (const double bend : {-0.03, 0.03}) // 4.5 standard deviations
+    EXPECT_EQ (planesOf ({larger, squareAt (0.3, 0.3, 0., usual_noise, bend)}),
+               (Planes{0, 0}));
+  for (const double step : {-4.5, 4.5}) // as a door in a wall
+    EXPECT_EQ (planesOf ({larger, squareAt (0.3, 0.3, step)}), (Planes{0, 1}));
+  // Where the step cannot be told from a bend.
+  EXPECT_EQ (planesOf ({larger, squareAt (0.3, 0.1, 0., usual_noise, 0.03)}),
+             (Planes{0, 1}));
+}
+
+TEST (PlaneJoining, LeavesPartsThatMeetAtAnAngle)
+{
+  const double noise = 10. * usual_noise;
+  const PlaneMoments larger = squareAt (-0.2, 0.35, 0., noise);
+  EXPECT_EQ (planesOf ({larger, squareAt (0.2, 0.3, 0., noise, std::tan (0.35))}),
+             (Planes{0, 1}));
+  EXPECT_EQ (planesOf ({larger, squareAt (0.3, 0.3, 0., noise, std::tan (0.15))}),
+             (Planes{0, 0}));
 }
 
 /** Tops of two boxes: what one says about a plane ends long before the other begins. */
