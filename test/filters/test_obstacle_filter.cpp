@@ -94,6 +94,27 @@ TEST_F (ObstacleFilterTest, WithIndicesOnlyThesePointsAreLookedAtInTheirOrder)
   EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{1, 7}));
 }
 
+TEST_F (ObstacleFilterTest, IndicesAreFilteredAlsoInPlace)
+{
+  const auto indices = pcl::make_shared<pcl::Indices> (pcl::Indices{4, 2, 11, 3, 1, 7});
+  filter_.setIndices (indices);
+  filter_.filter (*indices);
+  EXPECT_EQ (*indices, (pcl::Indices{2, 11, 3}));
+  EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{4, 1, 7}));
+}
+
+TEST_F (ObstacleFilterTest, LabelsThatAreNoClassAreNeverKept)
+{
+  // Those of points on no plane, and of an obstacle but for the higher bits.
+  for (const std::uint32_t label : {0xffffffffu, 258u, 6u}) {
+    (*classes_)[1].label = label;
+    filter_.setNegative (false);
+    EXPECT_EQ (kept(), (pcl::Indices{2, 3, 11})) << label;
+    filter_.setNegative (true);
+    EXPECT_EQ (kept(), (pcl::Indices{4, 5})) << label;
+  }
+}
+
 TEST_F (ObstacleFilterTest, CloudsAreFilteredAlsoInPlace)
 {
   Cloud output;

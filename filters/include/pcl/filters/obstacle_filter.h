@@ -26,8 +26,9 @@ namespace pcl {
  * \endcode
  *
  * Points of which nothing is known are always removed, for what is kept by setNegative (true)
- * may be taken for free: those without a measurement (NaN, Inf or (0, 0, 0)), and those of
- * class \c unmeasured, which are beyond the range of the sensor or were not asked for.
+ * may be taken for free: those without a measurement (NaN, Inf or (0, 0, 0)), those of
+ * class \c unmeasured, which are beyond the range of the sensor or were not asked for, and
+ * those with a label that is no class.
  *
  * As in all FilterIndices: with indices, only these points are looked at; setKeepOrganized
  * keeps the organization and gives removed points the user filter value; getRemovedIndices

@@ -10,6 +10,8 @@
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <string>
 
@@ -19,7 +21,6 @@ template <typename PointT>
 void
 ObstacleFilter<PointT>::applyFilter (Indices& indices)
 {
-  indices.clear();
   removed_indices_->clear();
   std::string fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
   const std::size_t classes = classes_ ? classes_->size() : 0;
@@ -30,24 +31,35 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
             "setClasses.";
   if (!fault.empty()) {
     PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+    indices.clear();
     if (extract_removed_indices_) {
       removed_indices_->resize (input_->size());
       std::iota (removed_indices_->begin(), removed_indices_->end(), 0);
     }
     return;
   }
-  for (const pcl::index_t index : *indices_) {
+  using rgbd_planes::ObstacleClass;
+  constexpr auto last_class = static_cast<std::uint32_t> (ObstacleClass::excluded);
+  // The output may be the list of indices itself.
+  const std::size_t number = indices_->size();
+  std::size_t kept = 0;
+  indices.resize (number);
+  for (std::size_t k = 0; k < number; ++k) {
+    const pcl::index_t index = (*indices_)[k];
     const auto i = static_cast<std::size_t> (index);
-    const auto c = static_cast<rgbd_planes::ObstacleClass> ((*classes_)[i].label);
-    const bool is_obstacle = c == rgbd_planes::ObstacleClass::obstacle ||
-                             c == rgbd_planes::ObstacleClass::drop_off;
-    const bool is_known = c != rgbd_planes::ObstacleClass::unmeasured &&
-                          rgbd_planes::isMeasured (&(*input_)[i].x);
+    const std::uint32_t label = (*classes_)[i].label;
+    const auto c =
+        label <= last_class ? ObstacleClass (label) : ObstacleClass::unmeasured;
+    const bool is_obstacle =
+        c == ObstacleClass::obstacle || c == ObstacleClass::drop_off;
+    const bool is_known =
+        c != ObstacleClass::unmeasured && rgbd_planes::isMeasured (&(*input_)[i].x);
     if (is_known && is_obstacle != negative_)
-      indices.push_back (index);
+      indices[kept++] = index;
     else if (extract_removed_indices_)
       removed_indices_->push_back (index);
   }
+  indices.resize (kept);
 }
 
 template <typename PointT>
