@@ -42,6 +42,10 @@ parseCommandLine (int argc,
   po::positional_options_description positional;
   positional.add (arguments.c_str(), max_arguments);
   po::variables_map values;
+  const AppError too_many (
+      "only " + std::to_string (max_arguments) +
+      " INPUT may be given; put numbers that belong together between commas "
+      "without spaces; see --help");
   try {
     po::store (po::command_line_parser (argc, argv)
                    .options (all)
@@ -50,14 +54,15 @@ parseCommandLine (int argc,
                values);
   }
   catch (const po::too_many_positional_options_error&) {
-    throw AppError (
-        "only " + std::to_string (max_arguments) +
-        " INPUT may be given; put numbers that belong together between commas "
-        "without spaces; see --help");
+    throw too_many;
   }
   catch (const po::error& error) {
     throw AppError (std::string (error.what()) + "; see --help");
   }
+  const auto given = static_cast<std::size_t> (max_arguments);
+  if (max_arguments > 0 && values.count (arguments) &&
+      values[arguments].as<std::vector<std::string>>().size() > given)
+    throw too_many;
   return values;
 }
 

@@ -3,10 +3,10 @@
 
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/measured_cloud.h>
 #include <pcl/apps/object_comparison.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/apps/stopwatch.h>
-#include <pcl/common/io.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/simulation/subsample.h>
 
@@ -69,15 +69,12 @@ DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& step
 void
 DetectionComparison::add (const Frame& frame)
 {
-  pcl::PointCloud<pcl::PointXYZ> full;
-  pcl::copyPointCloud (*frame.cloud, full);
   std::vector<std::uint32_t> obstacles;
   if (frame.truth)
     obstacles = numberObstacles (*frame.truth);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Run& run = runs_[i];
-    const auto cloud =
-        pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (subsample (full, run.step));
+    const auto cloud = measuredCloud (frame, run.step, 2);
     // The first run pays for memory that later ones find in place.
     if (run.points != cloud->size())
       detect (cloud, frame.camera_to_base, run.pipeline);
@@ -87,7 +84,7 @@ DetectionComparison::add (const Frame& frame)
     scoreObjects (frame, run.step, run.pipeline.objects(), results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);
-      const auto numbers = subsampleNumbers (obstacles, full.width, run.step);
+      const auto numbers = subsampleNumbers (obstacles, frame.cloud->width, run.step);
       results_[i].obstacles.add (
           {viewPoints (*cloud), truth, numbers, *frame.camera_to_base},
           run.pipeline.classes());

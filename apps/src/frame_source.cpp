@@ -6,6 +6,7 @@
 #include <pcl/apps/frame_slot.h>
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/frame_truth.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/live_grabber.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/parse_number.h>
@@ -120,7 +121,13 @@ FrameSource::read (std::size_t i) const
   const StoredFrame& stored = frames_[i];
   Frame frame;
   frame.name = stored.name;
-  stored.read (frame);
+  try {
+    stored.read (frame);
+  }
+  catch (...) {
+    stopIfInterrupted();
+    throw;
+  }
   if (frame.cloud->width < 2 || frame.cloud->height < 2)
     throw AppError (options_.input + ": frame " + frame.name + " is " +
                     std::to_string (frame.cloud->width) + " x " +

@@ -50,7 +50,8 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
   measured_points_ += summary.measured_points;
   points_out_of_range_ += static_cast<std::size_t> (
       std::count_if (cloud.begin(), cloud.end(), [&] (const auto& point) {
-        return squaredRange (point.data) > options_.depth_noise.maxSquaredRange();
+        return isMeasured (point.data) &&
+               squaredRange (point.data) > options_.depth_noise.maxSquaredRange();
       }));
   frames_elsewhere_ += !isInCameraFrame (cloud);
   if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
@@ -70,7 +71,8 @@ InputNotices::lines() const
   std::vector<std::string> lines;
   const double out_of_range =
       percentOf (points_out_of_range_, std::max<std::size_t> (measured_points_, 1));
-  if (out_of_range > max_percent_out_of_range)
+  if (out_of_range > max_percent_out_of_range &&
+      std::isfinite (options_.depth_noise.max_range))
     lines.push_back (
         (boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
                         "%.1f m of this sensor and are left out; %g,%g,%g is the same "

@@ -18,11 +18,17 @@ volatile std::sig_atomic_t interrupted = 0;
 void
 catchInterruption ()
 {
-  const auto interrupt = [] (int) { interrupted = 1; };
-  for (const int signal : {SIGINT, SIGTERM})
-    std::signal (signal, interrupt);
-  if (std::signal (SIGHUP, interrupt) == SIG_IGN) // under nohup
-    std::signal (SIGHUP, SIG_IGN);
+  struct sigaction interrupt = {};
+  interrupt.sa_handler = [] (int) { interrupted = 1; };
+  // Without SA_RESTART: who waits for a pipe wakes up.
+  interrupt.sa_flags = static_cast<int> (SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    sigaction (signal, nullptr, &before);
+    if (before.sa_handler !=
+        SIG_IGN) // as under nohup, or in the background of a script
+      sigaction (signal, &interrupt, nullptr);
+  }
   for (const int signal : {SIGPIPE, SIGXFSZ})
     std::signal (signal, SIG_IGN);
 }

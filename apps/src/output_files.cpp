@@ -63,9 +63,11 @@ OutputFiles::add (const fs::path& name)
 {
   if (!name.has_filename())
     throw AppError ("'" + name.string() + "': is no name of a file to write; give one");
-  if (name == "-") // which asks for standard output elsewhere
-    throw AppError ("-: standard output has the tables; give the name of a file");
   const fs::path path = placeOf (name);
+  std::error_code error;
+  if (name == "-" || fs::equivalent (path, "/dev/stdout", error))
+    throw AppError (name.string() +
+                    ": standard output has the tables; give the name of a file");
   if (place_of_path_.count (path))
     throw AppError (name.string() +
                     ": two results of this run would be in this file; choose another "

@@ -3,9 +3,9 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/evaluation_command.h>
+#include <pcl/apps/measured_cloud.h>
 #include <pcl/apps/quiet_pcl.h>
 #include <pcl/segmentation/depth_noise_estimation.h>
-#include <pcl/simulation/subsample.h>
 
 #include <nlohmann/json.hpp>
 
@@ -91,7 +91,7 @@ measureDepthNoise (int argc, char** argv)
   runEvaluation (
       *command,
       [&] (const Frame& frame, OutputFiles&) {
-        estimation.addFrame (subsample (*frame.cloud, step));
+        estimation.addFrame (*measuredCloud (frame, step, 2));
       },
       [&] { return noiseTable (estimation); },
       [&] { return noiseJson (estimation); });

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/apps/app_error.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/measured_cloud.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/apps/plane_comparison.h>
 #include <pcl/apps/plane_truth.h>
-#include <pcl/common/io.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/simulation/subsample.h>
 
@@ -23,18 +22,6 @@ constexpr std::uint32_t min_pixels = 40;
 /** The first run pays for memory that later ones find in place, and any may be interrupted.
  */
 constexpr int runs_per_frame = 3;
-
-pcl::PointCloud<pcl::PointXYZ>::Ptr
-measuredCloud (const Frame& frame, std::uint32_t step)
-{
-  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  pcl::copyPointCloud (subsample (*frame.cloud, step), *cloud);
-  if (cloud->width < min_pixels || cloud->height < min_pixels)
-    throw AppError (frame.name + ": is too small as " + resolutionName (step) +
-                    ", 40 x 40 pixels are needed; use --resolution vga or larger "
-                    "frames");
-  return cloud;
-}
 
 } // namespace
 
@@ -59,7 +46,7 @@ PlaneComparison::calibration()
   for (const Run& run : runs_)
     for (const auto& calibrate : run.method.calibration)
       steps.push_back ([step = run.step, calibrate] (const Frame& frame) {
-        const auto cloud = measuredCloud (frame, step);
+        const auto cloud = measuredCloud (frame, step, min_pixels);
         calibrate (cloud, minPlanePoints (frame, cloud->size()));
       });
   return steps;
@@ -70,7 +57,7 @@ PlaneComparison::add (const Frame& frame)
 {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     Run& run = runs_[i];
-    const auto cloud = measuredCloud (frame, run.step);
+    const auto cloud = measuredCloud (frame, run.step, min_pixels);
     const unsigned min_points = minPlanePoints (frame, cloud->size());
     double fastest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < runs_per_frame; ++k)

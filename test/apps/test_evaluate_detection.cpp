@@ -139,6 +139,9 @@ TEST_F (EvaluateDetection, BadUsage)
 {
   expectRefused ("sim:floor_obstacles --depth-noise sonar", "--depth-noise");
   expectRefused ("", "INPUT");
+  writePng (folder_ / "2x2.png", 2, {1000, 1000, 1000, 1000});
+  expectRefused ("2x2.png --intrinsics 2,2,0.5,0.5 --depth-scale 1000",
+                 "too small as qvga, 2 x 2 pixels are needed");
   expectRefused ("sim:nowhere", "nowhere");
   expectRefused ("sim:floor_obstacles --corrected floor", "floor");
   expectRefused ("sim:floor_obstacles --json no/where.json", "no");

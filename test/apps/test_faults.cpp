@@ -82,6 +82,9 @@ protected:
       EXPECT_EQ (file.find ("out."), std::string::npos) << file;
   }
 
+  /** In the background, shells ignore SIGINT. */
+  const std::string interruptible_ = "env --default-signal=INT ";
+
   /** Is there all the time: Xvfb starts anew when its last client goes. */
   const XClient client_;
 };
@@ -129,9 +132,9 @@ protected:
   Outcome
   runAndInterfere (const std::string& commands) const
   {
-    return shell ("rm in/2.png; mkfifo in/2.png; " + application_ + " in" + camera_ +
-                  outputTo (".") + "& pid=$!; exec 3>in/2.png; " + commands +
-                  "; exec 3>&-; wait $pid");
+    return shell ("rm in/2.png; mkfifo in/2.png; " + interruptible_ + application_ +
+                  " in" + camera_ + outputTo (".") + "& pid=$!; exec 3>in/2.png; " +
+                  commands + "; exec 3>&-; wait $pid");
   }
 
   std::string frame_;
@@ -190,7 +193,7 @@ TEST_P (PrintedOutputFaults, FullStandardOutput)
 TEST_P (PrintedOutputFaults, InterruptionAtAnyTime)
 {
   const Outcome outcome =
-      shell (application_ + " " + work_ + outputTo (".") +
+      shell (interruptible_ + application_ + " " + work_ + outputTo (".") +
              "& pid=$!; until [ -e out ] || ls .out.* >/dev/null 2>&1; do :; done; "
              "kill -INT $pid; wait $pid");
   expectFailed (outcome, "interrupted; nothing was written");
@@ -256,6 +259,28 @@ TEST_P (InputFaults, Signals)
     expectFailed (outcome, "interrupted; nothing was written");
     EXPECT_EQ (outcome.out, "");
   }
+}
+
+TEST_P (PrintedInputFaults, SignalsEndTheWaitForAPipe)
+{
+  std::filesystem::remove (folder_ / "in/1.png");
+  const Outcome outcome =
+      shell ("mkfifo in/1.png; " + application_ + " in" + camera_ + outputTo (".") +
+             "& pid=$!; until { [ -e out ] || ls .out.* >/dev/null 2>&1; } && "
+             "grep -q '^State:.S' /proc/$pid/status; do :; done; "
+             "kill -TERM $pid; wait $pid");
+  expectFailed (outcome, "interrupted; nothing was written");
+}
+
+TEST_P (PrintedOutputFaults, IgnoredSignalsStayIgnored)
+{
+  const Outcome outcome =
+      shell ("trap '' INT TERM HUP; " + application_ + " " + work_ + outputTo (".") +
+             "& pid=$!; until [ -e out ] || ls .out.* >/dev/null "
+             "2>&1; do :; done; "
+             "kill -INT $pid; kill -TERM $pid; kill -HUP $pid; "
+             "wait $pid");
+  EXPECT_EQ (outcome.code, 0) << outcome.err;
 }
 
 TEST_P (PrintedInputFaults, ReaderOfTheResultsThatEnds)

@@ -67,6 +67,14 @@ TEST_F (MeasureDepthNoise, WhereNothingIsSeenItSaysSo)
   expectRefused ("", "no INPUT given");
 }
 
+TEST_F (MeasureDepthNoise, FramesThatAreTooSmallAreRefused)
+{
+  writePng (folder_ / "2x2.png", 2, {1000, 1000, 1000, 1000});
+  expectRefused (
+      "2x2.png --intrinsics 2,2,0.5,0.5 --depth-scale 1000 --resolution qvga",
+      "too small as qvga, 2 x 2 pixels are needed");
+}
+
 TEST_F (MeasureDepthNoise, HelpHasNoEmptySection)
 {
   EXPECT_EQ (run ("-h").out.find ("\n\n\n"), std::string::npos);

@@ -121,6 +121,7 @@ TEST_F (SegmentUsage, BadUsageIsRefused)
   const std::string input = "walls.png --output out ";
   expectRefused ("", "no INPUT given; see --help");
   expectRefused ("walls.png walls.png", "only 1 INPUT may be given");
+  expectRefused ("--input walls.png --input walls.png", "only 1 INPUT may be given");
   expectRefused (input + "--depth-scale 1000 --intrinsics 131,131,790,59.5",
                  "walls.png: has 160 x 120 pixels, far from which the principal point");
   expectRefused (input + camera_ + "--colour", "see --help");
@@ -202,6 +203,7 @@ TEST_F (SegmentUsage, UnwritablePlacesAreRefused)
                  "cannot write this file");
   expectRefused (input + "--json .", "no regular file");
   expectRefused (input + "--json /dev/full", "no regular file");
+  expectRefused (input + "--json /dev/stdout", "standard output has the tables");
   std::filesystem::create_directories (folder_ / "taken/walls_planes.png");
   expectRefused (input + "--output taken", "no regular file");
   EXPECT_EQ (listFolder (folder_ / "taken"),
