@@ -96,6 +96,22 @@ DepthWarp::add (const OrganizedPoints& points,
   collectCells (points, plane_of, planes, noise);
   if (!areNear (planes, noise))
     return false;
+  try {
+    addEquations (planes, noise, right_angles);
+    solve (noise);
+  }
+  catch (...) { // without memory: half of the equations are wrong ones
+    clear();
+    throw;
+  }
+  return true;
+}
+
+void
+DepthWarp::addEquations (const PlaneVectors& planes,
+                         const DepthNoise& noise,
+                         bool right_angles)
+{
   if (frames_ == 0) {
     const auto count = static_cast<Eigen::Index> (waves_.size());
     squares_.setZero (count, count);
@@ -107,8 +123,6 @@ DepthWarp::add (const OrganizedPoints& points,
   eliminatePlanes (planes);
   if (right_angles)
     addRightAngles();
-  solve (noise);
-  return true;
 }
 
 void
@@ -116,8 +130,7 @@ DepthWarp::resize (int width, int height)
 {
   if (width == width_ && height == height_)
     return;
-  width_ = width;
-  height_ = height;
+  *this = DepthWarp(); // Eigen gives up memory twice where there is none for the new size
   const int longer = std::max (width, height);
   cell_size_ = std::max (longer / cells_in_line, 1);
   const double margin_px = margin * longer;
@@ -147,6 +160,8 @@ DepthWarp::resize (int width, int height)
     }
   for (Wave& wave : waves_)
     wave.variance /= sum;
+  width_ = width;
+  height_ = height;
 }
 
 double

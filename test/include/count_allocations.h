@@ -11,8 +11,18 @@
  * comes from these functions of the C library: they count, and glibc does the work. To be
  * included once in a program. */
 namespace {
+
 std::atomic<std::size_t> allocations{0};
+/** The value of \a allocations with which one fails. */
+std::atomic<std::size_t> failing_allocation{0};
+
+[[maybe_unused]] bool
+allocationFails ()
+{
+  return ++allocations == failing_allocation;
 }
+
+} // namespace
 
 // Sanitizers have such functions of their own.
 #ifdef __has_feature
@@ -35,36 +45,31 @@ __libc_memalign (std::size_t alignment, std::size_t size);
 void*
 malloc (std::size_t size) noexcept
 {
-  ++allocations;
-  return __libc_malloc (size);
+  return allocationFails() ? nullptr : __libc_malloc (size);
 }
 
 void*
 calloc (std::size_t number, std::size_t size) noexcept
 {
-  ++allocations;
-  return __libc_calloc (number, size);
+  return allocationFails() ? nullptr : __libc_calloc (number, size);
 }
 
 void*
 realloc (void* memory, std::size_t size) noexcept
 {
-  ++allocations;
-  return __libc_realloc (memory, size);
+  return allocationFails() ? nullptr : __libc_realloc (memory, size);
 }
 
 void*
 aligned_alloc (std::size_t alignment, std::size_t size) noexcept
 {
-  ++allocations;
-  return __libc_memalign (alignment, size);
+  return allocationFails() ? nullptr : __libc_memalign (alignment, size);
 }
 
 int
 posix_memalign (void** memory, std::size_t alignment, std::size_t size) noexcept
 {
-  ++allocations;
-  *memory = __libc_memalign (alignment, size);
+  *memory = allocationFails() ? nullptr : __libc_memalign (alignment, size);
   return *memory || size == 0 ? 0 : ENOMEM;
 }
 }

@@ -33,7 +33,7 @@ public:
   clear ();
 
   /** \brief Adds what the planes of a frame tell; false, and nothing is added, where most points
-   * are nowhere near their planes.
+   * are nowhere near their planes. Where there is no memory for it, all frames are forgotten.
    * \param[in] points in the camera frame, z forward; an image of the size of those before
    * \param[in] plane_of for each point; no plane: a number beyond. Planes with few
    * points tell nothing.
@@ -135,6 +135,9 @@ private:
 
   bool
   areNear (const PlaneVectors& planes, const DepthNoise& noise) const;
+
+  void
+  addEquations (const PlaneVectors& planes, const DepthNoise& noise, bool right_angles);
 
   void
   sumUp (const PlaneVectors& planes, const DepthNoise& noise);

@@ -376,6 +376,9 @@ private:
   extract ();
 
   void
+  findPlanes ();
+
+  void
   warnOfUnits ();
 
   void

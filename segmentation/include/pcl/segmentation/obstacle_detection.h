@@ -276,6 +276,9 @@ private:
   bool
   checkInput () const;
 
+  void
+  findObstacles (std::vector<Obstacle>& obstacles);
+
   /** \brief Warns if the floor is lost (\a is_lost) and nobody said where the camera is. */
   void
   warnOfPose (bool is_lost);

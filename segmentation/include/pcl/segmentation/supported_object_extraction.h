@@ -379,6 +379,11 @@ private:
   checkInput (const std::vector<ModelCoefficients>& model_coefficients,
               const std::vector<PointIndices>& inlier_indices) const;
 
+  void
+  findObjects (const std::vector<ModelCoefficients>& model_coefficients,
+               const std::vector<PointIndices>& inlier_indices,
+               std::vector<SupportedObject>& objects);
+
   const std::vector<rgbd_planes::ObjectCluster>&
   findClusters (const rgbd_planes::OrganizedPoints& points,
                 const rgbd_planes::ObjectParameters& parameters);

@@ -52,7 +52,9 @@ NormalEstimationBase<PointInT, PointOutT>::initCompute()
   // would resize them under each other's feet.
   if (fake_indices_ && indices_.use_count() > 1)
     indices_.reset();
-  return PCLBase<PointInT>::initCompute();
+  // Without memory, PCL keeps the indices of an earlier cloud after an error message.
+  return PCLBase<PointInT>::initCompute() &&
+         (!fake_indices_ || indices_->size() == input_->size());
 }
 
 template <typename PointInT, typename PointOutT>

@@ -61,7 +61,22 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::extract()
 {
+  is_segmented_ = false;
+  try {
+    findPlanes();
+  }
+  catch (...) { // without memory: what is half done is not gone on with
+    plane_extraction_ = rgbd_planes::PlaneExtraction();
+    rms_.clear();
+    throw;
+  }
   is_segmented_ = true;
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::findPlanes()
+{
   if (checkInput()) {
     rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
     plane_extraction_.compute (relative_points_.of (*input_),

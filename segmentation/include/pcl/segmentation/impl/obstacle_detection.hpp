@@ -88,12 +88,27 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obstacles)
 {
-  floor_.setZero();
-  if (!checkInput()) {
+  const auto forget = [&] {
     obstacles.clear();
+    floor_.setZero();
     extraction_ = rgbd_planes::ObstacleExtraction();
-    return;
+  };
+  if (!checkInput())
+    return forget();
+  try {
+    findObstacles (obstacles);
   }
+  catch (...) { // without memory: what is half done is not gone on with
+    forget();
+    throw;
+  }
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::findObstacles (
+    std::vector<Obstacle>& obstacles)
+{
   const Eigen::Vector3f origin = input_->sensor_origin_.template head<3>();
   rgbd_planes::ObstacleParameters parameters = parameters_;
   parameters.camera_to_base.translate (origin);

@@ -79,6 +79,27 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     supports_ = rgbd_planes::SupportPlanes();
     return;
   }
+  try {
+    findObjects (model_coefficients, inlier_indices, objects);
+  }
+  catch (...) { // without memory: what is half done is not gone on with
+    objects.clear();
+    supports_ = rgbd_planes::SupportPlanes();
+    clustering_ = rgbd_planes::ObjectClusters();
+    split_ = rgbd_planes::ConcaveSplit();
+    whole_things_ = rgbd_planes::WholeThings();
+    boxes_ = rgbd_planes::ObjectBoxFinder();
+    throw;
+  }
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::findObjects (
+    const std::vector<ModelCoefficients>& model_coefficients,
+    const std::vector<PointIndices>& inlier_indices,
+    std::vector<SupportedObject>& objects)
+{
   const Eigen::Vector3f origin = input_->sensor_origin_.template head<3>();
   planes_.clear();
   for (std::size_t k = 0; k < inlier_indices.size(); ++k) {
