@@ -92,6 +92,10 @@ PlaneSamples::compute (const OrganizedPoints& points,
     return (selected.empty() || selected[pixel]) &&
            square > DepthNoise::min_squared_range && square <= farthest;
   };
+  const auto isUnit = [&] (std::size_t pixel) {
+    const float square = squaredRange (normals[pixel]);
+    return square > min_normal_square && square < max_normal_square;
+  };
   missing_.clear();
   const auto stride = static_cast<std::size_t> (step);
   for (int v = 0; v < height; ++v) {
@@ -106,14 +110,18 @@ PlaneSamples::compute (const OrganizedPoints& points,
         hwy::Prefetch (normals[below]);
       }
       const std::size_t pixel = std::min (next, last);
-      if (isUsable (pixel))
+      const bool is_usable = isUsable (pixel);
+      if (is_usable)
         copyPixel (points, normals, pixel, at (u, v));
-      else if (step > 1)
-        missing_.push_back ({u, v});
+      if (step > 1 && !(is_usable && isUnit (pixel)))
+        missing_.push_back ({u, v, is_usable});
     }
   }
-  for (const auto [u, v] : missing_) {
-    const std::size_t pixel = findPixel (points, u, v, isUsable);
+  const auto isComplete = [&] (std::size_t i) { return isUsable (i) && isUnit (i); };
+  for (const auto [u, v, has_point] : missing_) {
+    std::size_t pixel = findPixel (points, u, v, isComplete);
+    if (pixel == points.size() && !has_point)
+      pixel = findPixel (points, u, v, isUsable);
     if (pixel != points.size())
       copyPixel (points, normals, pixel, at (u, v));
   }

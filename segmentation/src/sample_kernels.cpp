@@ -20,8 +20,6 @@ namespace {
 constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f;
 /** Normals with more than this part of the largest curvature are not trusted. */
 constexpr float trusted_share = 0.5f;
-/** Squares of the lengths of normals. */
-constexpr float min_square = 0.9f, max_square = 1.1f;
 
 } // namespace
 
@@ -50,7 +48,8 @@ judgeSamplesHere (PlaneSamples& samples,
                 &samples.weight[i]);
     const V square = squaredLength (normalsAt (samples, i));
     const Mask has_normal =
-        hn::And (hn::Gt (square, set (min_square)), hn::Lt (square, set (max_square)));
+        hn::And (hn::Gt (square, set (PlaneSamples::min_normal_square)),
+                 hn::Lt (square, set (PlaneSamples::max_normal_square)));
     for (auto* values : {&samples.normal_x, &samples.normal_y, &samples.normal_z})
       hn::StoreU (hn::IfThenElseZero (has_normal, load (&(*values)[i])),
                   Floats(),

@@ -9,6 +9,8 @@
 
 #include <pcl/register_point_struct.h>
 
+#include <limits>
+
 struct EIGEN_ALIGN16 WarmPoint {
   PCL_ADD_POINT4D
   float temperature = 0.f;
@@ -55,6 +57,38 @@ TEST (CustomPoints, GiveTheSameInAllClasses)
   expectSameAsPointXYZ<WarmPoint, Surfel, Opinion>();
   expectSameAsPointXYZ<PackedPoint, Surfel, pcl::Label>();
   expectSameAsPointXYZ<Surfel, Surfel, Opinion>();
+}
+
+TEST (CustomPoints, LabelsBesidePointsLeaveThosePointsAsTheyAre)
+{
+  const synthetic::FloorScene scene ({synthetic::floorAt (0.f)},
+                                     synthetic::cameraPose (0.8f, 0.45f));
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZL>>();
+  pcl::copyPointCloud (*scene.cloud, *cloud);
+  (*cloud)[0].x = std::numeric_limits<float>::quiet_NaN();
+  cloud->is_dense = false;
+
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZL, pcl::Normal, pcl::PointXYZL>
+      segmentation;
+  segmentation.setInputCloud (cloud);
+  segmentation.setInputNormals (scene.normals);
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers;
+  segmentation.segment (models, inliers, *cloud);
+  ASSERT_EQ (models.size(), 1u);
+  EXPECT_EQ (cloud->back().label, 0u);
+  EXPECT_FALSE (cloud->is_dense);
+
+  pcl::ObstacleDetection<pcl::PointXYZL, pcl::Normal, pcl::PointXYZL> detection;
+  detection.setCameraToBase (scene.camera_to_base);
+  detection.setInputCloud (cloud);
+  detection.setInputNormals (scene.normals);
+  detection.setInputPlanes (models, cloud);
+  std::vector<pcl::rgbd_planes::Obstacle> obstacles;
+  detection.detect (obstacles, *cloud);
+  EXPECT_EQ (cloud->back().label,
+             static_cast<std::uint32_t> (pcl::rgbd_planes::ObstacleClass::floor));
+  EXPECT_FALSE (cloud->is_dense);
 }
 
 TEST (CustomPoints, GoThroughDetectionAndAllFilters)

@@ -73,6 +73,26 @@ TEST (PlaneNormals, ThoseThatAreAlmostOfUnitLengthCount)
   }
 }
 
+/** As those that were computed for some pixels only. */
+TEST (PlaneNormals, ThoseOfSomePointsAreEnough)
+{
+  const std::vector<Surface> wall{tiltedPlane (1.5f, 0.f, 0.f)};
+  const Scene scene = render (wall, 320, 240); // every third pixel is looked at
+  for (const unsigned column : {0u, 1u, 2u}) {
+    const Normals::Ptr normals = trueNormals (scene, wall);
+    for (unsigned i = 0; i < normals->size(); ++i)
+      if (i % 320 % 3 != column)
+        (*normals)[i] = pcl::Normal (synthetic::nan, synthetic::nan, synthetic::nan);
+    Ours segmentation;
+    segmentation.setInputCloud (scene.cloud);
+    segmentation.setInputNormals (normals);
+    Result result;
+    segment (segmentation, result);
+    ASSERT_EQ (result.models.size(), 1u) << column;
+    EXPECT_EQ (result.inliers[0].indices.size(), 320u * 240u);
+  }
+}
+
 TEST (PlaneNormals, AnotherLengthOfAllIsTold)
 {
   const Scene scene = render (corner(), 320, 240);

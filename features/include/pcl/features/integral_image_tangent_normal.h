@@ -62,7 +62,8 @@ namespace pcl {
  *
  * A null, empty or unorganized cloud, an index outside of it, or indices where output and
  * input are the same cloud: an error message and an empty output. A cloud with measured
- * points of which none has a normal: a warning, once for frames in a row. setKSearch,
+ * points of which none has a normal: a warning, once for frames in a row, unless they are less
+ * than 1 % of all points or BORDER_POLICY_IGNORE is set. setKSearch,
  * setRadiusSearch, setSearchMethod and setSearchSurface have no effect. Nothing is
  * allocated after the first of several clouds of the same size.
  *

@@ -44,8 +44,9 @@ namespace pcl {
  *
  * Input: an organized cloud in metres, in the camera frame or any other in which its \c
  * sensor_origin_ is the place of the sensor, as CameraToBase sets it, and one normal for each
- * point from any estimator. Points or normals with NaN or Inf, and points (0, 0, 0), are left
- * out. With indices, only these points are segmented. Output: planes by decreasing number of
+ * point from any estimator. Points with NaN or Inf, and points (0, 0, 0), are left out. Points
+ * without a normal of unit length start no plane, but belong to one on which they lie. With
+ * indices, only these points are segmented. Output: planes by decreasing number of
  * points, with coefficients a, b, c, d such that a x + b y + c z + d = 0, (a, b, c) of unit
  * length, towards the sensor: d >= 0 where that is at the origin. Outputs are replaced, not
  * appended to, and carry the header of the input; their memory is used again, so that frames
@@ -98,7 +99,7 @@ public:
   }
 
   /** \brief One normal for each point of the input cloud, in the same order; of unit length,
-   * to 5 % (others are left out), and of any sign. */
+   * to 5 % (others, as NaN, count as no normal), and of any sign. */
   void
   setInputNormals (const PointCloudNConstPtr& normals)
   {
@@ -325,7 +326,7 @@ public:
                std::vector<std::size_t>& plane_of_segment);
 
   /** \brief Root of the mean squared distance of the points of each plane of the last call
-   * to it, in metres, to some 10 micrometres. */
+   * to it, in metres, to some 0.1 mm. */
   const std::vector<double>&
   getRms () const
   {

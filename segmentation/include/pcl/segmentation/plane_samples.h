@@ -30,6 +30,8 @@ public:
   /** \brief Points along the side of a tile. */
   static constexpr int tile_side = 4;
   static constexpr std::size_t tile_size = 16;
+  /** \brief The square of the length of normals that count, to 5 %. */
+  static constexpr float min_normal_square = 0.9f, max_normal_square = 1.1f;
 
   /** \brief Reads the points.
    * \param[in] points in a frame whose origin is the sensor
@@ -161,13 +163,14 @@ private:
     std::uint8_t left, right, above, below;
   };
 
-  /** Column and row of a sample. */
+  /** Column and row of a sample, and whether its middle pixel has a usable point. */
   struct Place {
     int u, v;
+    bool has_point;
   };
 
   std::vector<Around> around_;
-  /** Samples whose middle pixel is not usable. */
+  /** Samples whose middle pixel has no usable point, or no normal. */
   std::vector<Place> missing_;
 };
 

@@ -161,7 +161,8 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillLabels (
   labels.header = header_;
   labels.sensor_origin_ = sensor_origin_;
   labels.sensor_orientation_ = sensor_orientation_;
-  labels.is_dense = true;
+  if constexpr (!pcl::traits::has_xyz<PointLT>::value)
+    labels.is_dense = true;
   labels.resize (width_, label_of_point.size() / width_);
   for (std::size_t i = 0; i < label_of_point.size(); ++i)
     labels[i].label = label_of_point[i];

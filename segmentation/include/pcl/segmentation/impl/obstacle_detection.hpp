@@ -157,7 +157,8 @@ ObstacleDetection<PointT, PointNT, PointLT>::detect (std::vector<Obstacle>& obst
   classes.header = input_->header;
   classes.sensor_origin_ = input_->sensor_origin_;
   classes.sensor_orientation_ = input_->sensor_orientation_;
-  classes.is_dense = true;
+  if constexpr (!pcl::traits::has_xyz<PointLT>::value)
+    classes.is_dense = true;
   classes.resize (input_->width, input_->height);
   for (std::size_t i = 0; i < found.size(); ++i)
     classes[i].label = static_cast<std::uint32_t> (found[i]);
