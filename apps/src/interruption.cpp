@@ -25,8 +25,8 @@ catchInterruption ()
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before = {};
     sigaction (signal, nullptr, &before);
-    if (before.sa_handler !=
-        SIG_IGN) // as under nohup, or in the background of a script
+    // It is ignored under nohup, or in the background of a script.
+    if (before.sa_handler != SIG_IGN)
       sigaction (signal, &interrupt, nullptr);
   }
   for (const int signal : {SIGPIPE, SIGXFSZ})

@@ -55,7 +55,7 @@ protected:
   start (const std::string& arguments) const
   {
     const Outcome result =
-        shell ("(" + application_ + " " + arguments +
+        shell ("(env --default-signal=INT " + application_ + " " + arguments +
                " & echo $! >&3; wait $!; echo $? >'" + (logs_ / "code").string() +
                "') 3>'" + (logs_ / "pid").string() + "' >/dev/null 2>&1 &");
     EXPECT_EQ (result.code, 0);

@@ -66,6 +66,15 @@ TEST_F (SegmentUsage, MillimetresAreToldOnce)
   }
 }
 
+TEST_F (SegmentUsage, DepthThatOverflowsIsMissing)
+{
+  writeTwoWalls ("walls.png");
+  const Outcome result =
+      run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale 1e-36");
+  EXPECT_EQ (result.code, 0);
+  EXPECT_EQ (result.err.find ("--depth-noise"), std::string::npos) << result.err;
+}
+
 TEST_F (SegmentUsage, CloudsInOtherFramesThanTheCamerasAreTold)
 {
   const auto scene = simulate ("room", 1, Sensor::kinect);
