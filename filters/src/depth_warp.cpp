@@ -130,7 +130,8 @@ DepthWarp::resize (int width, int height)
 {
   if (width == width_ && height == height_)
     return;
-  *this = DepthWarp(); // Eigen gives up memory twice where there is none for the new size
+  // Where there is no memory for another size, Eigen gives up the old memory twice.
+  *this = DepthWarp();
   const int longer = std::max (width, height);
   cell_size_ = std::max (longer / cells_in_line, 1);
   const double margin_px = margin * longer;
