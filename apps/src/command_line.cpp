@@ -40,12 +40,8 @@ parseCommandLine (int argc,
   all.add (options).add_options() (arguments.c_str(),
                                    po::value<std::vector<std::string>>());
   po::positional_options_description positional;
-  positional.add (arguments.c_str(), max_arguments);
+  positional.add (arguments.c_str(), -1);
   po::variables_map values;
-  const AppError too_many (
-      "only " + std::to_string (max_arguments) +
-      " INPUT may be given; put numbers that belong together between commas "
-      "without spaces; see --help");
   try {
     po::store (po::command_line_parser (argc, argv)
                    .options (all)
@@ -53,16 +49,17 @@ parseCommandLine (int argc,
                    .run(),
                values);
   }
-  catch (const po::too_many_positional_options_error&) {
-    throw too_many;
-  }
   catch (const po::error& error) {
     throw AppError (std::string (error.what()) + "; see --help");
   }
-  const auto given = static_cast<std::size_t> (max_arguments);
-  if (max_arguments > 0 && values.count (arguments) &&
-      values[arguments].as<std::vector<std::string>>().size() > given)
-    throw too_many;
+  // As options, too, more of them can be given.
+  if (max_arguments >= 0 && values.count (arguments) &&
+      values[arguments].as<std::vector<std::string>>().size() >
+          static_cast<std::size_t> (max_arguments))
+    throw AppError (
+        "only " + std::to_string (max_arguments) +
+        " INPUT may be given; put numbers that belong together between commas "
+        "without spaces; see --help");
   return values;
 }
 

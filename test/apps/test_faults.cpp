@@ -82,6 +82,9 @@ protected:
       EXPECT_EQ (file.find ("out."), std::string::npos) << file;
   }
 
+  /** Whether the application is at work, for a shell. */
+  const std::string results_begun_ = "{ [ -e out ] || ls .out.* >/dev/null 2>&1; }";
+
   /** In the background, shells ignore SIGINT. */
   const std::string interruptible_ = "env --default-signal=INT ";
 
@@ -192,10 +195,10 @@ TEST_P (PrintedOutputFaults, FullStandardOutput)
 
 TEST_P (PrintedOutputFaults, InterruptionAtAnyTime)
 {
-  const Outcome outcome =
-      shell (interruptible_ + application_ + " " + work_ + outputTo (".") +
-             "& pid=$!; until [ -e out ] || ls .out.* >/dev/null 2>&1; do :; done; "
-             "kill -INT $pid; wait $pid");
+  const Outcome outcome = shell (interruptible_ + application_ + " " + work_ +
+                                 outputTo (".") + "& pid=$!; until " + results_begun_ +
+                                 "; do :; done; "
+                                 "kill -INT $pid; wait $pid");
   expectFailed (outcome, "interrupted; nothing was written");
   EXPECT_EQ (outcome.out, "");
 }
@@ -264,22 +267,21 @@ TEST_P (InputFaults, Signals)
 TEST_P (PrintedInputFaults, SignalsEndTheWaitForAPipe)
 {
   std::filesystem::remove (folder_ / "in/1.png");
-  const Outcome outcome =
-      shell ("mkfifo in/1.png; " + application_ + " in" + camera_ + outputTo (".") +
-             "& pid=$!; until { [ -e out ] || ls .out.* >/dev/null 2>&1; } && "
-             "grep -q '^State:.S' /proc/$pid/status; do :; done; "
-             "kill -TERM $pid; wait $pid");
+  const Outcome outcome = shell ("mkfifo in/1.png; " + application_ + " in" + camera_ +
+                                 outputTo (".") + "& pid=$!; until " + results_begun_ +
+                                 " && "
+                                 "grep -q '^State:.S' /proc/$pid/status; do :; done; "
+                                 "kill -TERM $pid; wait $pid");
   expectFailed (outcome, "interrupted; nothing was written");
 }
 
 TEST_P (PrintedOutputFaults, IgnoredSignalsStayIgnored)
 {
-  const Outcome outcome =
-      shell ("trap '' INT TERM HUP; " + application_ + " " + work_ + outputTo (".") +
-             "& pid=$!; until [ -e out ] || ls .out.* >/dev/null "
-             "2>&1; do :; done; "
-             "kill -INT $pid; kill -TERM $pid; kill -HUP $pid; "
-             "wait $pid");
+  const Outcome outcome = shell ("trap '' INT TERM HUP; " + application_ + " " + work_ +
+                                 outputTo (".") + "& pid=$!; until " + results_begun_ +
+                                 "; do :; done; "
+                                 "kill -INT $pid; kill -TERM $pid; kill -HUP $pid; "
+                                 "wait $pid");
   EXPECT_EQ (outcome.code, 0) << outcome.err;
 }
 

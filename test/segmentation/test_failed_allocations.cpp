@@ -4,7 +4,6 @@
 #include "count_allocations.h"
 #include "floor_scene.h"
 
-#include <pcl/common/io.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/filters/depth_warp_correction.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
@@ -28,6 +27,7 @@ struct Frame {
     return 0.001f * z;
   })
   {
+    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
     segmentation.setMinInliers (50);
     segmentation.setInputCloud (scene.cloud);
     segmentation.setInputNormals (scene.normals);
@@ -44,7 +44,6 @@ struct Frame {
   }
 
   synthetic::FloorScene scene;
-  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
   std::vector<pcl::ModelCoefficients> planes;
   std::vector<pcl::PointIndices> inliers;
   pcl::PointCloud<pcl::Label> labels;

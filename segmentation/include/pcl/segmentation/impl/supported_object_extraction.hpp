@@ -74,21 +74,21 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     const std::vector<PointIndices>& inlier_indices,
     std::vector<SupportedObject>& objects)
 {
-  if (!checkInput (model_coefficients, inlier_indices)) {
-    objects.clear();
-    supports_ = rgbd_planes::SupportPlanes();
-    return;
-  }
-  try {
-    findObjects (model_coefficients, inlier_indices, objects);
-  }
-  catch (...) { // without memory: what is half done is not gone on with
+  const auto forget = [&] {
     objects.clear();
     supports_ = rgbd_planes::SupportPlanes();
     clustering_ = rgbd_planes::ObjectClusters();
     split_ = rgbd_planes::ConcaveSplit();
     whole_things_ = rgbd_planes::WholeThings();
     boxes_ = rgbd_planes::ObjectBoxFinder();
+  };
+  if (!checkInput (model_coefficients, inlier_indices))
+    return forget();
+  try {
+    findObjects (model_coefficients, inlier_indices, objects);
+  }
+  catch (...) { // without memory: what is half done is not gone on with
+    forget();
     throw;
   }
 }
