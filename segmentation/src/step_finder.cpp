@@ -27,6 +27,8 @@ constexpr LineLimits limits{min_places * min_edge, min_jump, min_places};
 constexpr std::size_t margin = RowRing<float>::lanes;
 /** The shift of the surface behind a step. */
 constexpr double min_height = 1.6;
+/** By how many samples the ends of a line are moved to where they fit best. */
+constexpr float moves[] = {0.f, -1.f, -0.5f, 0.5f, 1.f};
 /** Where samples that fill up a vector are: behind no line. */
 constexpr float nowhere = -std::numeric_limits<float>::infinity();
 
@@ -52,15 +54,31 @@ StepFinder::find (const std::vector<SampleError>& samples,
   if (lines_.empty())
     return false;
   fitSurface (samples);
-  double most = 0.;
+  GridLine best, high;
+  Shift of_best, of_high;
   for (const GridLine& line : lines_) {
-    const double gain = gainOf (line, samples.size(), min_side);
-    if (gain > most) {
-      most = gain;
+    const Shift shift = shiftBehind (line, samples.size(), min_side);
+    if (shift.gain > of_best.gain) {
+      of_best = shift;
+      best = line;
+    }
+    if (shift.isHigh() && shift.gain > of_high.gain) {
+      of_high = shift;
+      high = line;
+    }
+  }
+  const double least = (1. - max_left * max_left) * squares_;
+  double most = 0.;
+  for (GridLine line : {best, high}) {
+    if (!(shiftBehind (line, samples.size(), min_side).gain > least))
+      continue;
+    const Shift shift = refine (line, samples.size(), min_side);
+    if (shift.isHigh() && shift.gain > most) {
+      most = shift.gain;
       step = line;
     }
   }
-  return most > (1. - max_left * max_left) * squares_;
+  return most > 0.;
 }
 
 std::size_t
@@ -194,24 +212,51 @@ StepFinder::fitSurface (const std::vector<SampleError>& samples)
   squares_ = fitted_.dot (products * fitted_);
 }
 
-/** By how much the sum of the squares of the errors falls when the surface behind the
- * line is shifted, and all of it fitted anew; 0 where it is shifted by too little. */
-double
-StepFinder::gainOf (const GridLine& line,
-                    std::size_t samples,
-                    std::size_t min_side) const
+/** Where the surface behind the line is shifted, and all of it fitted anew. */
+StepFinder::Shift
+StepFinder::shiftBehind (const GridLine& line,
+                         std::size_t samples,
+                         std::size_t min_side) const
 {
   float sums[7];
   sumBehind (surface_, line, sums);
   const auto behind = static_cast<std::size_t> (sums[0]);
   if (behind < min_side || samples - behind < min_side)
-    return 0.;
+    return {};
   const Eigen::Matrix<double, 7, 1> terms =
       Eigen::Map<Eigen::Matrix<float, 7, 1>> (sums).cast<double>();
   const double left = fitted_.dot (terms);
   const double free = sums[0] - terms.head<6>().dot (inverse_ * terms.head<6>());
-  const double height = left / free;
-  return free >= 1. && std::abs (height) >= min_height ? left * height : 0.;
+  return free >= 1. ? Shift{left / free, left * left / free} : Shift{};
+}
+
+/** Moves the ends of a line, which was found to a sample, to where it explains most. */
+StepFinder::Shift
+StepFinder::refine (GridLine& line, std::size_t samples, std::size_t min_side) const
+{
+  const int along = line.is_steep ? 1 : 0;
+  const auto first = static_cast<float> (first_[along]);
+  const auto length = static_cast<float> (last_[along] - first_[along]);
+  const GridLine found = line;
+  Shift best;
+  for (const float at_first : moves)
+    for (const float at_last : moves) {
+      const float turn = (at_last - at_first) / length;
+      const GridLine moved{
+          found.is_steep, found.slope + turn, found.offset + at_first - turn * first};
+      const Shift shift = shiftBehind (moved, samples, min_side);
+      if (shift.gain > best.gain) {
+        best = shift;
+        line = moved;
+      }
+    }
+  return best;
+}
+
+bool
+StepFinder::Shift::isHigh() const
+{
+  return std::abs (height) >= min_height;
 }
 
 } // namespace rgbd_planes

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <random>
 #include <vector>
@@ -101,6 +102,29 @@ TEST (StepFinder, PartsLegsFromAnEdgeTwoSamplesThin)
   };
   expectLegsParted (
       samplesOf (is_own, [] (int u, int v) { return isLeg (u, v) ? 2.5f : 0.f; }));
+}
+
+TEST (StepFinder, PartsLegsFromASlantedEdgeTwoSamplesThin)
+{
+  const auto below = [] (int u, int v) {
+    return static_cast<float> (v) - 0.35f * static_cast<float> (u) - 12.6f;
+  };
+  const auto isSlantedLeg = [&] (int u, int v) {
+    return below (u, v) > 0.f && v < 50 && ((u >= 4 && u < 11) || (u >= 78 && u < 85));
+  };
+  const auto is_own = [&] (int u, int v) {
+    return (std::abs (below (u, v) + 1.1f) < 1.1f && u < 88) || isSlantedLeg (u, v);
+  };
+  const auto error = [&] (int u, int v) {
+    return (isSlantedLeg (u, v) ? 1.8f : 0.f) - 0.05f * below (u, v);
+  };
+  const auto samples = samplesOf (is_own, error);
+  GridLine step;
+  ASSERT_TRUE (StepFinder().find (samples, min_side, step, max_left));
+  std::size_t wrong = 0;
+  for (const SampleError& sample : samples)
+    wrong += step.isBehind (sample.u, sample.v) != isSlantedLeg (sample.u, sample.v);
+  EXPECT_LE (wrong, samples.size() / 50);
 }
 
 TEST (StepFinder, FindsStepsAtAnyAngle)

@@ -49,7 +49,8 @@ struct SurfaceSamples {
  * along which the mean errors of a few samples on both sides differ. Places where they do
  * vote for lines (Hough transform); of the lines with such places, the one counts with
  * which a surface of second order, and the same surface shifted behind the line, leave
- * the smallest errors.
+ * the smallest errors. Votes know lines to a sample, so that one is moved to where it leaves
+ * the smallest.
  */
 class PCL_RGBD_PLANES_EXPORTS StepFinder {
 public:
@@ -74,6 +75,15 @@ private:
     float jump;
   };
 
+  /** By how much the surface is shifted behind a line, and by how much less the sum of the
+   * squares of the errors is then. */
+  struct Shift {
+    double height = 0., gain = 0.;
+
+    bool
+    isHigh () const;
+  };
+
   void
   findExtent (const std::vector<SampleError>& samples);
 
@@ -89,8 +99,11 @@ private:
   void
   fitSurface (const std::vector<SampleError>& samples);
 
-  double
-  gainOf (const GridLine& line, std::size_t samples, std::size_t min_side) const;
+  Shift
+  shiftBehind (const GridLine& line, std::size_t samples, std::size_t min_side) const;
+
+  Shift
+  refine (GridLine& line, std::size_t samples, std::size_t min_side) const;
 
   std::size_t
   place (int along, int across) const;
