@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -20,17 +21,19 @@ constexpr std::ptrdiff_t min_rectangles = 100;
 constexpr float median_size = 0.6745f;
 
 /** The error of the rectangle of \a side pixels from point \a first on, in standard deviations;
- * not finite where a corner is missing. */
+ * not finite where a corner is missing or beyond the range of the noise. */
 float
 errorOfRectangle (const OrganizedPoints& points,
                   const DepthNoise& noise,
                   std::size_t first,
                   std::size_t side)
 {
+  const float max_square = noise.maxSquaredRange();
   // Not finite where it is missing: 0 / 0, inf / inf.
-  const auto inverseRange = [&points] (std::size_t i) {
+  const auto inverseRange = [&points, max_square] (std::size_t i) {
     const float square = squaredRange (points[i]);
-    return std::sqrt (square) / square;
+    return square <= max_square ? std::sqrt (square) / square
+                                : std::numeric_limits<float>::infinity();
   };
   const std::size_t down = side * static_cast<std::size_t> (points.width);
   const float square = squaredRange (points[first]);

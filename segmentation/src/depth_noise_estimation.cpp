@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace pcl {
@@ -29,6 +30,8 @@ constexpr std::size_t min_blocks = 20;
 constexpr float for_larger_surfaces = 2.f;
 /** Below this the error of blocks is that of numbers. */
 constexpr float min_sigma = 0.00005f;
+/** Relative to depth, the difference of numbers that say the same. */
+constexpr float same_depth = 1e-6f;
 /** How large the constant part may well be where no level is near enough to tell, and how far
  * off, of their own, levels may be for that. */
 constexpr double usual_constant = 0.001, level_error = 0.2;
@@ -47,6 +50,8 @@ struct Block {
   Eigen::Vector3d ray;
   /** Standard deviation of inverse ranges. */
   double error;
+  /** Then the steps in which depth is told hide its noise. */
+  bool has_one_depth;
 
   /** That of ranges. */
   double
@@ -84,6 +89,7 @@ fitBlock (const OrganizedPoints& points, int left, int top, int side)
   rgbd_planes::PlaneMoments moments;
   Eigen::Vector3d rays = Eigen::Vector3d::Zero();
   double ranges = 0.;
+  float nearest = std::numeric_limits<float>::infinity(), farthest = -nearest;
   for (int v = top; v < top + side; ++v)
     for (int u = left; u < left + side; ++u) {
       const float* p = points[static_cast<std::size_t> (v * points.width + u)];
@@ -96,6 +102,8 @@ fitBlock (const OrganizedPoints& points, int left, int top, int side)
       moments.add (p, 1. / (range * range));
       rays += point / range;
       ranges += range;
+      nearest = std::min (nearest, p[2]);
+      farthest = std::max (farthest, p[2]);
     }
   const auto count = static_cast<double> (moments.points);
   if (count < min_filled * side * side)
@@ -107,7 +115,8 @@ fitBlock (const OrganizedPoints& points, int left, int top, int side)
   const double squares = std::max (0., moments.squaredErrors (m));
   const double error =
       std::max (std::sqrt (squares / (count - 3.)), min_sigma / (range * range));
-  return Block{range, m, rays / count, error};
+  const bool has_one_depth = farthest - nearest <= same_depth * farthest;
+  return Block{range, m, rays / count, error, has_one_depth};
 }
 
 using Levels = std::vector<DepthNoiseEstimation::Level>;
@@ -166,13 +175,14 @@ DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
     for (std::size_t column = 0; column < above.size(); ++column) {
       const auto block = fitBlock (points, static_cast<int> (column) * side, top, side);
       if (block) {
-        Blocks& similar = blocks_[static_cast<int> (
-            std::floor (std::log (block->range) / std::log (range_step)))];
+        Blocks& similar =
+            (block->has_one_depth ? blocks_of_one_depth_ : blocks_)[static_cast<int> (
+                std::floor (std::log (block->range) / std::log (range_step)))];
         similar.ranges += block->range;
         similar.sigmas.push_back (static_cast<float> (block->sigma()));
       }
       const auto& before = is_beside ? left : above[column];
-      if (block && before)
+      if (block && before && !block->has_one_depth && !before->has_one_depth)
         turns_.push_back (turnBetween (*before, *block));
       left = above[column] = block;
     }
@@ -182,11 +192,18 @@ DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
 std::vector<DepthNoiseEstimation::Level>
 DepthNoiseEstimation::getLevels() const
 {
+  std::vector<Level> levels = levelsOf (blocks_);
+  return levels.empty() ? levelsOf (blocks_of_one_depth_) : levels;
+}
+
+std::vector<DepthNoiseEstimation::Level>
+DepthNoiseEstimation::levelsOf (const std::map<int, Blocks>& all_blocks)
+{
   std::size_t all = 0;
-  for (const auto& [step, blocks] : blocks_)
+  for (const auto& [step, blocks] : all_blocks)
     all += blocks.sigmas.size();
   std::vector<Level> levels;
-  for (const auto& [step, blocks] : blocks_) {
+  for (const auto& [step, blocks] : all_blocks) {
     const std::size_t count = blocks.sigmas.size();
     if (count < min_blocks || count < all / 100)
       continue;

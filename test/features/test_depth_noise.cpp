@@ -152,6 +152,20 @@ TEST (DepthNoise, MissingPointsSayNothingOfTheNoiseOfAFrame)
   }
 }
 
+TEST (DepthNoise, PointsBeyondTheRangeSayNothingOfTheNoiseOfAFrame)
+{
+  const DepthNoise preset = DepthNoise::timeOfFlight();
+  std::vector<float> points = tiltedWall (640, 480, 0.f);
+  std::mt19937 random (1);
+  std::uniform_real_distribution<float> factor (6.f, 7.f);
+  for (std::size_t i = 0; i < points.size(); i += 3)
+    if (i / 3 % 640 < 400) {
+      const float far = factor (random);
+      std::for_each_n (&points[i], 3, [far] (float& value) { value *= far; });
+    }
+  EXPECT_EQ (noiseOf (points, 640, 480, preset), preset.sigma (1.f));
+}
+
 TEST (DepthNoise, WhatSaysNothingOfNoiseLeavesTheLeast)
 {
   const float usual = DepthNoise().sigma (1.f);

@@ -138,6 +138,23 @@ TEST (DepthNoiseEstimation, WithoutNoiseWhatNumbersAllow)
   EXPECT_EQ (noise.quadratic, 0.0002f);
 }
 
+TEST (DepthNoiseEstimation, StepsOfDepthAreErrors)
+{
+  constexpr float step = 0.01f;
+  for (const float tilt : {2.f, 20.f}) {
+    DepthNoiseEstimation estimation;
+    for (const float depth : {1.f, 1.5f, 2.f, 3.f}) {
+      Cloud cloud = *render ({tiltedPlane (depth, tilt, 0.f)}).cloud;
+      for (auto& point : cloud)
+        point.getVector3fMap() *= std::round (point.z / step) * step / point.z;
+      EXPECT_TRUE (estimation.addFrame (cloud));
+    }
+    const float uniform = step / std::sqrt (12.f);
+    EXPECT_GT (estimate (estimation).sigma (1.f), uniform) << tilt;
+    EXPECT_LT (estimate (estimation).sigma (1.f), 3.f * uniform) << tilt;
+  }
+}
+
 TEST (DepthNoiseEstimation, InAnyFrame)
 {
   DepthNoiseEstimation estimation, moved;

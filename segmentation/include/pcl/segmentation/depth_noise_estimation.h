@@ -32,6 +32,8 @@ namespace pcl {
  * on small things they leave more. So the first quartile of blocks at similar ranges counts, and
  * twice that, for larger surfaces come out bent by as much again: on recordings of Kinects,
  * Xtions and a RealSense this gives what DepthNoise::kinectV1 () and activeStereo () have.
+ * Blocks whose points all have one z count only if there are no others: depth is told in steps
+ * there that are larger than its noise.
  *
  * Where pixels share their errors, planes of blocks turn by more than those errors would make
  * them if each pixel had its own. The first quartile of turns between a block and the one
@@ -71,6 +73,7 @@ public:
   {
     frames_ = 0;
     blocks_.clear();
+    blocks_of_one_depth_.clear();
     turns_.clear();
   }
 
@@ -99,9 +102,12 @@ private:
     std::vector<float> sigmas;
   };
 
+  static std::vector<Level>
+  levelsOf (const std::map<int, Blocks>& all_blocks);
+
   std::size_t frames_ = 0;
   /** By steps of range. */
-  std::map<int, Blocks> blocks_;
+  std::map<int, Blocks> blocks_, blocks_of_one_depth_;
   /** Between blocks and those below. */
   std::vector<float> turns_;
 };
