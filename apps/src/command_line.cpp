@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/program_options.hpp>
 
 #include <iostream>
@@ -56,10 +57,10 @@ parseCommandLine (int argc,
   if (max_arguments >= 0 && values.count (arguments) &&
       values[arguments].as<std::vector<std::string>>().size() >
           static_cast<std::size_t> (max_arguments))
-    throw AppError (
-        "only " + std::to_string (max_arguments) +
-        " INPUT may be given; put numbers that belong together between commas "
-        "without spaces; see --help");
+    throw AppError ("only " + std::to_string (max_arguments) + ' ' +
+                    boost::to_upper_copy (arguments) +
+                    " may be given; put numbers that belong together between commas "
+                    "without spaces; see --help");
   return values;
 }
 

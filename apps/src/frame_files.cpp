@@ -30,7 +30,7 @@ naturalLess (const fs::path& path_a, const fs::path& path_b)
   while (i < a.size() && j < b.size()) {
     if (!isDigit (a[i]) || !isDigit (b[j])) {
       if (a[i] != b[j])
-        return a[i] < b[j];
+        return static_cast<unsigned char> (a[i]) < static_cast<unsigned char> (b[j]);
       ++i, ++j;
       continue;
     }
@@ -49,13 +49,19 @@ naturalLess (const fs::path& path_a, const fs::path& path_b)
   return left_a != left_b ? left_a < left_b : a < b;
 }
 
-/** NAME_truth.pcd beside NAME.pcd, as pcl_simulate_rgbd writes them. */
+/** Whether the file belongs to a frame beside it: NAME_truth, as pcl_simulate_rgbd writes it, or
+ * NAME_view, as pcl_plane_viewer does. */
 bool
-isTruth (const fs::path& file)
+isMadeOfFrame (const fs::path& file)
 {
-  const std::string path = file.string(), ending = "_truth.pcd";
-  return boost::ends_with (path, ending) &&
-         fs::exists (path.substr (0, path.size() - ending.size()) + ".pcd");
+  const std::string path = (file.parent_path() / file.stem()).string();
+  for (const std::string ending : {"_truth", "_view"})
+    if (boost::ends_with (path, ending)) {
+      const std::string frame = path.substr (0, path.size() - ending.size());
+      if (fs::exists (frame + ".pcd") || fs::exists (frame + ".png"))
+        return true;
+    }
+  return false;
 }
 
 } // namespace
@@ -67,7 +73,7 @@ listFrames (const fs::path& folder, const std::string& extension)
   for (const auto& entry : fs::directory_iterator (folder))
     if (entry.path().extension() == extension && !entry.is_directory() &&
         !boost::starts_with (entry.path().filename().string(), ".") &&
-        !isTruth (entry.path()))
+        !isMadeOfFrame (entry.path()))
       files.push_back (entry.path());
   std::sort (files.begin(), files.end(), naturalLess);
   return files;

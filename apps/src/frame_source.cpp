@@ -23,6 +23,7 @@
 #include <memory>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -101,6 +102,8 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
     addFolder (input);
   else if (fs::exists (status))
     addFile (input);
+  else if (error == std::errc::permission_denied)
+    throw AppError (input + ": " + error.message());
   else
     throw AppError (input +
                     ": no such file or folder; INPUT is a .pcd file, a depth .png, "

@@ -64,6 +64,14 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
             .str();
 }
 
+void
+InputNotices::addWarp (const pcl::PointCloud<pcl::Intensity>& warp)
+{
+  is_warp_empty_ = std::all_of (warp.begin(), warp.end(), [] (const auto& point) {
+    return point.intensity == 0.f;
+  });
+}
+
 std::vector<std::string>
 InputNotices::lines() const
 {
@@ -88,6 +96,10 @@ InputNotices::lines() const
                         "--intrinsics if they are wrong") %
          frames_elsewhere_ % frames_)
             .str());
+  if (is_warp_empty_)
+    lines.push_back (
+        "--corrected camera: no plane told the error of depth, and nothing is "
+        "corrected; give frames with walls or floor");
   if (!estimated_pose_.empty())
     lines.push_back (estimated_pose_);
   return lines;

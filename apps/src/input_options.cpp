@@ -87,8 +87,8 @@ inputHelp ()
   FILE.pcd          an organized cloud, metres, in the frame of the camera: z forward, y down
   FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale; 0 and 65535 are
                     missing depth
-  FOLDER            of .pcd files, but for NAME_truth.pcd beside NAME.pcd, or else of depth images;
-                    other .png files between them are left out
+  FOLDER            of .pcd files, but for NAME_truth.pcd and NAME_view.pcd beside NAME.pcd or
+                    NAME.png, or else of depth images; other .png files between them are left out
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
   sim:SCENE[:SEED[:CAMERA]]
 )" +

@@ -93,11 +93,12 @@ evaluatePlanes (int argc, char** argv)
                                   : std::vector<std::string>(),
                               readCorrected (values),
                               readDepthNoise (values));
-  bool has_truth = false;
+  std::size_t frames = 0, with_truth = 0;
   runEvaluation (
       *command,
       [&] (const Frame& frame, OutputFiles& files) {
-        has_truth |= frame.truth || frame.labels.kind != PointLabels::Kind::none;
+        ++frames;
+        with_truth += frame.truth || frame.labels.kind != PointLabels::Kind::none;
         comparison.add (frame);
         if (command->pictures)
           comparison.writePictures (frame, *command->pictures, files);
@@ -105,7 +106,11 @@ evaluatePlanes (int argc, char** argv)
       [&] { return planeComparisonTable (comparison.results()); },
       [&] { return planeComparisonJson (comparison.results()); },
       comparison.calibration());
-  if (!has_truth)
+  if (with_truth > 0 && with_truth < frames)
+    std::cerr << "pcl_evaluate_planes: " << frames - with_truth << " of " << frames
+              << " frames have no truth: their planes count as found, but are neither "
+                 "correct nor noise; evaluate them apart\n";
+  if (with_truth == 0)
     std::cerr
         << "pcl_evaluate_planes: no truth in this input: only times, coverage and "
            "what is off are measured\n";

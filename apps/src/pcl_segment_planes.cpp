@@ -197,6 +197,7 @@ segmentFrames (const std::vector<FrameSource>& source,
     files.write (*options.output / "warp.pcd", encodePcd (correction->warp()));
     files.write (*options.output / "warp.png",
                  encodePng (warpPicture (correction->warp())));
+    notices.addWarp (correction->warp());
   }
   return summaries;
 }

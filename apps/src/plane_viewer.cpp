@@ -3,6 +3,7 @@
 
 #include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_grabber.h>
+#include <pcl/apps/input_notices.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/plane_report.h>
 #include <pcl/apps/plane_viewer.h>
@@ -64,12 +65,28 @@ PlaneViewer::show (const Frame& frame)
 {
   original_ = frame;
   frame_.compute (*original_, options_.step);
+  if (times_.empty())
+    printNotices();
   times_.push_back (std::chrono::steady_clock::now());
   while (times_.back() - times_.front() > std::chrono::seconds (2))
     times_.pop_front();
   if (!is_view_chosen_)
     is_view_chosen_ = window_.lookFromCamera (frame_.cloud());
   draw();
+}
+
+/** What is to be known of the first frame. */
+void
+PlaneViewer::printNotices() const
+{
+  SegmenterOptions options;
+  options.depth_noise = options_.depth_noise;
+  InputNotices notices (options);
+  Frame taken = *original_;
+  taken.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (frame_.cloud());
+  notices.add (taken, frame_.summary());
+  for (const auto& line : notices.lines())
+    std::cerr << "pcl_plane_viewer: " << line << '\n';
 }
 
 void

@@ -220,8 +220,10 @@ DepthNoiseEstimation::estimate (rgbd_planes::DepthNoise& noise) const
   const std::vector<Level> levels = getLevels();
   if (levels.empty()) {
     PCL_ERROR (
-        "[pcl::DepthNoiseEstimation::estimate] No smooth surfaces in %zu frames: "
-        "add frames that see floor, walls or tables.\n",
+        "[pcl::DepthNoiseEstimation::estimate] No %zu smooth pieces of surfaces at one "
+        "range in %zu frames: add frames that see floor, walls or tables, in metres; a "
+        "small image has few pieces.\n",
+        min_blocks,
         frames_);
     return false;
   }

@@ -56,6 +56,17 @@ protected:
 
 } // namespace
 
+TEST_F (EvaluateRecordings, SaysOfHowManyFramesThereIsNoTruth)
+{
+  const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
+  pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
+  const Outcome outcome = run ("sim:room:1 wall.pcd --resolution qqvga");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_EQ (outcome.err.rfind ("pcl_evaluate_planes: 1 of 2 frames have no truth", 0),
+             0u)
+      << outcome.err;
+}
+
 TEST_F (EvaluateRecordings, WithoutTruthWhatNeedsItIsNull)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});

@@ -75,16 +75,22 @@ vgaDepth ()
 TEST (FrameSource, FilesComeInNaturalOrder)
 {
   const TemporaryFolder folder;
-  for (const char* name :
-       {"10.png", "2.png", "1.png", "a10b2.png", "a9b10.png", "a9b9.png", "007.png"})
+  for (const char* name : {"10.png",
+                           "2.png",
+                           "1.png",
+                           "\u00e4.png",
+                           "a10b2.png",
+                           "a9b10.png",
+                           "a9b9.png",
+                           "007.png"})
     writePng (folder / name, 2, {1, 2, 3, 4});
   writeFile (folder / ".hidden.png", "");
   writeFile (folder / "notes.txt", "");
   std::filesystem::create_directory (folder / "folder.png");
   const FrameSource source (depthInputOf (folder.path()));
-  EXPECT_EQ (
-      namesOf (source),
-      (std::vector<std::string>{"1", "2", "007", "10", "a9b9", "a9b10", "a10b2"}));
+  EXPECT_EQ (namesOf (source),
+             (std::vector<std::string>{
+                 "1", "2", "007", "10", "a9b9", "a9b10", "a10b2", "\u00e4"}));
 }
 
 TEST (FrameSource, ColourImagesBetweenDepthImagesAreNoFrames)
@@ -117,6 +123,20 @@ TEST (FrameSource, GroundTruthIsNoFrame)
       << "only beside what it is true of";
   EXPECT_EQ (namesOf (FrameSource (inputOf (folder / "1_truth.pcd"))),
              std::vector<std::string>{"1_truth"});
+}
+
+TEST (FrameSource, WhatTheViewerSavedIsNoFrame)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"1.pcd", "1_view.pcd", "my_view.pcd"})
+    writeFile (folder / name, asciiPcd ("x y z", 2, 2, square));
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder.path()))),
+             (std::vector<std::string>{"1", "my_view"}));
+  const TemporaryFolder images;
+  writePng (images / "1.png", 2, {1, 2, 3, 4});
+  writeFile (images / "1_view.pcd", asciiPcd ("x y z", 2, 2, square));
+  EXPECT_EQ (namesOf (FrameSource (depthInputOf (images.path()))),
+             std::vector<std::string>{"1"});
 }
 
 TEST (FrameSource, FilesAreKnown)

@@ -111,6 +111,17 @@ TEST_F (PlaneViewerApp, ScreenshotsNeedNoDisplay)
   EXPECT_GT (percentOfFirstPlane ("seen.png"), 30.);
 }
 
+TEST_F (PlaneViewerApp, SaysWhereACloudIsNotInTheFrameOfTheCamera)
+{
+  writeFile (folder_ / "up.pcd",
+             asciiPcd ("x y z", 2, 2, "1 1 -1\n1 -1 -1\n1 1 1\n1 -1 1\n"));
+  const Outcome result = run ("up.pcd --screenshot up.png");
+  ASSERT_EQ (result.code, 0) << result.err;
+  EXPECT_NE (result.err.find ("pcl_plane_viewer: in 1 of 1 frames most points are not"),
+             std::string::npos)
+      << result.err;
+}
+
 TEST_F (PlaneViewerApp, ScreenshotsShowTheLayersAskedFor)
 {
   ASSERT_EQ (run ("1.png --show none --screenshot none.png" + camera_).code, 0);

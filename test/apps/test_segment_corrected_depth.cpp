@@ -28,6 +28,7 @@ TEST_F (SegmentCorrectedDepth, CorrectsWithTheWarpOfAnEarlierRun)
   const Outcome learned =
       run ("sim:corridor:1:2 --corrected camera --output camera --obstacles");
   ASSERT_EQ (learned.code, 0) << learned.err;
+  EXPECT_EQ (learned.err.find ("no plane told"), std::string::npos) << learned.err;
   EXPECT_TRUE (std::filesystem::exists (folder_ / "camera/warp.png"));
   const std::string warp = " --corrected camera/warp.pcd --output ";
   ASSERT_EQ (run ("sim:corridor:1:2" + warp + "again").code, 0);
@@ -47,6 +48,15 @@ TEST_F (SegmentCorrectedDepth, CorrectsWithTheWarpOfAnEarlierRun)
   EXPECT_LT (cosine ("again/result.json"), 0.02);
   ASSERT_EQ (run ("sim:corridor:1:2 --resolution qvga" + warp + "small").code, 0);
   EXPECT_LT (cosine ("small/result.json"), 0.02);
+}
+
+TEST_F (SegmentCorrectedDepth, SaysWhereNothingToldTheWarp)
+{
+  writePng (folder_ / "dark.png", 160, std::vector<std::uint16_t> (160 * 120));
+  const Outcome outcome = run ("dark.png --corrected camera --output dark" + camera_);
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_NE (outcome.err.find ("no plane told the error of depth"), std::string::npos)
+      << outcome.err;
 }
 
 TEST_F (SegmentCorrectedDepth, WarpsOfOddSizesFitAllResolutions)

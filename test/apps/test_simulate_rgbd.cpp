@@ -83,6 +83,7 @@ TEST_F (SimulateRgbd, TheSameSeedGivesTheSameFiles)
 TEST_F (SimulateRgbd, BadUsageIsToldInOneLine)
 {
   expectRefused ("", "no SCENE");
+  expectRefused ("room corridor --output .", "only 1 SCENE may be given");
   expectRefused ("room", "no --output");
   expectRefused ("attic --output .", "table_cluttered");
   expectRefused ("room --output . --sensor lidar", "ideal, kinect or active_stereo");

@@ -86,6 +86,9 @@ TYPED_TEST (NormalEstimation, BadCloudsGiveOneErrorAndAnEmptyOutput)
   const auto torn = pcl::make_shared<Cloud> (10, 10);
   torn->points.resize (50);
   this->expectRefused (torn, nullptr, "The input");
+  const Cloud::Ptr lost = render ({tiltedPlane (1.f, 0.f, 0.f)}, 8, 8).cloud;
+  lost->sensor_origin_.y() = std::numeric_limits<float>::quiet_NaN();
+  this->expectRefused (lost, nullptr, "set it to where the camera");
 }
 
 TYPED_TEST (NormalEstimation, IndexOutsideOfTheCloudGivesOneErrorAndAnEmptyOutput)

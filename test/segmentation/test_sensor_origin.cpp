@@ -12,6 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
 
@@ -103,6 +106,17 @@ TEST_F (SensorOrigin, PlanesAreTheSame)
     EXPECT_NEAR (
         elsewhere->segmentation.getRms()[k], at_origin->segmentation.getRms()[k], 1e-4);
   }
+}
+
+TEST_F (SensorOrigin, MustBeFinite)
+{
+  ASSERT_FALSE (at_origin->models.empty());
+  at_origin->cloud->sensor_origin_.x() = std::numeric_limits<float>::infinity();
+  testing::internal::CaptureStderr();
+  at_origin->segmentation.segment (at_origin->models, at_origin->inliers);
+  EXPECT_NE (testing::internal::GetCapturedStderr().find ("set it to where the camera"),
+             std::string::npos);
+  EXPECT_TRUE (at_origin->models.empty());
 }
 
 TEST_F (SensorOrigin, CovariancesAreThoseOfTheShiftedPlanes)

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <pcl/apps/frame_segmenter.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 
 #include <cstddef>
 #include <string>
@@ -22,6 +24,10 @@ public:
   void
   add (const Frame& frame, const FrameSummary& summary);
 
+  /** \brief What planes of all frames told of the error of depth. */
+  void
+  addWarp (const pcl::PointCloud<pcl::Intensity>& warp);
+
   /** \brief A line for each thing to know, for all frames. */
   std::vector<std::string>
   lines () const;
@@ -32,6 +38,7 @@ private:
   std::size_t measured_points_ = 0;
   std::size_t points_out_of_range_ = 0;
   std::size_t frames_elsewhere_ = 0;
+  bool is_warp_empty_ = false;
   /** About the first frame with an estimated pose. */
   std::string estimated_pose_;
 };

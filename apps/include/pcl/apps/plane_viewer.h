@@ -104,6 +104,9 @@ private:
   void
   save ();
 
+  void
+  printNotices () const;
+
   /** \brief After frame_ or the layers changed. */
   void
   draw ();

@@ -42,6 +42,8 @@ NormalEstimationBase<PointInT, PointOutT>::initCompute()
 {
   std::string fault =
       input_ ? complaint() : "No input cloud: call setInputCloud first.";
+  if (fault.empty())
+    fault = faultOfOrigin (*input_);
   if (fault.empty() && forIndices())
     fault = faultOfIndices (indices_.get(), input_->size());
   if (!fault.empty()) {

@@ -99,6 +99,19 @@ faultOfImage (const pcl::PointCloud<PointT>& cloud)
          "also remove the organization.";
 }
 
+/** \brief What to tell a user whose \a cloud does not say where the sensor was; empty if it
+ * does. */
+template <typename PointT>
+std::string
+faultOfOrigin (const pcl::PointCloud<PointT>& cloud)
+{
+  if (cloud.sensor_origin_.template head<3>().allFinite())
+    return {};
+  return "The sensor_origin_ of the input cloud is not finite: set it to where the "
+         "camera "
+         "was, (0, 0, 0) in the frame of the camera.";
+}
+
 /** \brief Whether every index is one of a cloud of \a size points. */
 inline bool
 indicesInside (const pcl::Indices& indices, std::size_t size)
@@ -135,7 +148,9 @@ faultOfInput (const pcl::PointCloud<PointT>* cloud, const pcl::Indices* indices)
 {
   if (!cloud)
     return "No input cloud: call setInputCloud first.";
-  const std::string fault = faultOfImage (*cloud);
+  std::string fault = faultOfImage (*cloud);
+  if (fault.empty())
+    fault = faultOfOrigin (*cloud);
   return fault.empty() ? faultOfIndices (indices, cloud->size()) : fault;
 }
 
