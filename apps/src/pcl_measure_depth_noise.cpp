@@ -41,8 +41,10 @@ estimate (const pcl::DepthNoiseEstimation& estimation)
   const QuietPcl quiet;
   if (!estimation.estimate (noise))
     throw AppError (
-        "no smooth surfaces in any frame; give frames that see floor, walls or "
-        "tables");
+        "no smooth surfaces in any frame, or fewer than 20 pieces of them at one "
+        "range; "
+        "give frames that see floor, walls or tables, in metres, and more of small "
+        "images");
   return noise;
 }
 
