@@ -35,6 +35,9 @@ constexpr double min_widths_apart = 15.;
  * in a row, and in a column; and the root mean square of its errors on that plane is
  * smaller, in standard deviations. */
 constexpr double min_between = 0.15, max_error_of_alternate = 6.;
+/** Errors that grow up to the limit of what a plane takes have this root mean square and more,
+ * in standard deviations: noise goes on beyond. So few between others are enough then. */
+constexpr double min_error_of_noisy = 1.35, min_between_of_noisy = 0.05;
 
 /** By how much the mean squared error of either part grows on a plane of both; not finite
  * where there is none. */
@@ -76,6 +79,14 @@ bends (const PlaneMoments& larger, const PlaneMoments& smaller, double offset)
   const double back = larger.meanError (other);
   return plane.dot (other) >= min_bent_cosine * plane.norm() * other.norm() &&
          (std::abs (back) <= max_offset || (back > 0.) == (offset > 0.));
+}
+
+/** Whether errors are so much larger than the model says that a plane does not take all. */
+bool
+isNoisy (const PlaneMoments& points)
+{
+  return points.meanSquaredError (points.inverseDistance()) >=
+         min_error_of_noisy * min_error_of_noisy;
 }
 
 /** The side of the square as wide as the points, across where they reach farthest. */
@@ -134,8 +145,10 @@ PlaneJoining::computeAlternating (const std::vector<PlaneMoments>& parts,
         in_row += now->in_row;
         in_column += now->in_column;
       }
-    if (static_cast<double> (std::min (in_row, in_column)) <
-        min_between * static_cast<double> (parts[part].points))
+    const double between = static_cast<double> (std::min (in_row, in_column)) /
+                           static_cast<double> (parts[part].points);
+    if (between < min_between_of_noisy ||
+        (between < min_between && !(isNoisy (planes_[plane]) && isNoisy (parts[part]))))
       return 2.;
     return parts[part].meanSquaredError (planes_[plane].inverseDistance()) /
            (max_error_of_alternate * max_error_of_alternate);

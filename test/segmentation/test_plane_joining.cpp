@@ -19,16 +19,18 @@ namespace {
 constexpr double usual_noise = 0.002;
 
 /** Samples, 1 cm apart, of a square in the plane z = 1 m, whose ranges are too large by
- * \a offset standard deviations, and by \a bend for each metre that x is more than 0. */
+ * \a offset standard deviations, and by \a bend for each metre that x is more than 0; their
+ * errors are \a scatter standard deviations. */
 PlaneMoments
 squareAt (double x,
           double side,
           double offset = 0.,
           double noise = usual_noise,
-          double bend = 0.)
+          double bend = 0.,
+          double scatter = 1.)
 {
   std::mt19937 random (1);
-  std::normal_distribution<double> error (offset, 1.);
+  std::normal_distribution<double> error (offset, scatter);
   PlaneMoments square;
   for (double u = -side / 2; u <= side / 2; u += 0.01)
     for (double v = -side / 2; v <= side / 2; v += 0.01) {
@@ -135,6 +137,32 @@ TEST (PlaneJoining, JoinsPartsThatAlternate)
   EXPECT_EQ (planesWhere (checks, other_checks, 4.5), (Planes{0, 0}));
   // Such as a fence before a wall.
   EXPECT_EQ (planesWhere (checks, other_checks, 8.), (Planes{0, 1}));
+}
+
+/** The limit of what a plane takes parts what is noisier. */
+TEST (PlaneJoining, JoinsNoisyPartsThatAlternateHereAndThere)
+{
+  const auto planes =
+      [] (double scatter, double scatter_of_second, std::uint32_t apart) {
+        const std::vector<PlaneMoments> parts{
+            squareAt (0., 0.4, 0., usual_noise, 0., scatter),
+            squareAt (0., 0.2, 4., usual_noise, 0., scatter_of_second)};
+        std::vector<TilePart> tile_parts;
+        for (std::uint32_t tile = 0; tile < parts[1].points / 8; ++tile) {
+          const bool alternate =
+              tile % apart == 0; // half of these samples lie between others
+          tile_parts.push_back ({0, tile, std::uint16_t (alternate ? 0xa5a5 : 0x3333)});
+          tile_parts.push_back ({1, tile, std::uint16_t (alternate ? 0x5a5a : 0xcccc)});
+        }
+        PlaneJoining joining;
+        joining.computeAlternating (parts, tile_parts);
+        return joining.planeOfPart();
+      };
+  EXPECT_EQ (planes (1.5, 1.5, 6), (Planes{0, 0}));
+  EXPECT_EQ (planes (1., 1.5, 6), (Planes{0, 1}));
+  EXPECT_EQ (planes (1.5, 1., 6), (Planes{0, 1}));
+  EXPECT_EQ (planes (1.5, 1.5, 20), (Planes{0, 1}));
+  EXPECT_EQ (planes (1., 1., 2), (Planes{0, 0}));
 }
 
 TEST (PlaneJoining, LeavesPartsThatLieSideBySide)

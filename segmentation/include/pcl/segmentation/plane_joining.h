@@ -31,7 +31,8 @@ public:
   compute (const std::vector<PlaneMoments>& parts, bool join);
 
   /** \brief Joins parts whose samples alternate in the image, as no two surfaces do but as
-   * noise has it that is larger than the model says.
+   * noise has it that is larger than the model says; where errors are that large, a few that
+   * alternate are enough.
    * \param[in] tile_parts what each part owns in each tile, tile after tile
    */
   void
