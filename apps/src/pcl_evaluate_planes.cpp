@@ -106,14 +106,14 @@ evaluatePlanes (int argc, char** argv)
       [&] { return planeComparisonTable (comparison.results()); },
       [&] { return planeComparisonJson (comparison.results()); },
       comparison.calibration());
-  if (with_truth > 0 && with_truth < frames)
-    std::cerr << "pcl_evaluate_planes: " << frames - with_truth << " of " << frames
-              << " frames have no truth: their planes count as found, but are neither "
-                 "correct nor noise; evaluate them apart\n";
   if (with_truth == 0)
     std::cerr
         << "pcl_evaluate_planes: no truth in this input: only times, coverage and "
            "what is off are measured\n";
+  else if (with_truth < frames)
+    std::cerr << "pcl_evaluate_planes: " << frames - with_truth << " of " << frames
+              << " frames have no truth: their planes count as found, but are neither "
+                 "correct nor noise; evaluate them apart\n";
 }
 
 } // namespace

@@ -42,9 +42,8 @@ estimate (const pcl::DepthNoiseEstimation& estimation)
   if (!estimation.estimate (noise))
     throw AppError (
         "no smooth surfaces in any frame, or fewer than 20 pieces of them at one "
-        "range; "
-        "give frames that see floor, walls or tables, in metres, and more of small "
-        "images");
+        "range; give frames that see floor, walls or tables, in metres, and more of "
+        "small images");
   return noise;
 }
 

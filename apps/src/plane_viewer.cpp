@@ -82,9 +82,7 @@ PlaneViewer::printNotices() const
   SegmenterOptions options;
   options.depth_noise = options_.depth_noise;
   InputNotices notices (options);
-  Frame taken = *original_;
-  taken.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (frame_.cloud());
-  notices.add (taken, frame_.summary());
+  notices.add (frame_.frame(), frame_.summary());
   for (const auto& line : notices.lines())
     std::cerr << "pcl_plane_viewer: " << line << '\n';
 }

@@ -54,23 +54,22 @@ StepFinder::find (const std::vector<SampleError>& samples,
   if (lines_.empty())
     return false;
   fitSurface (samples);
-  GridLine best, high;
-  Shift of_best, of_high;
+  struct Found {
+    GridLine line;
+    double gain;
+  };
+  const double least = (1. - max_left * max_left) * squares_;
+  Found best{{}, least}, high = best;
   for (const GridLine& line : lines_) {
     const Shift shift = shiftBehind (line, samples.size(), min_side);
-    if (shift.gain > of_best.gain) {
-      of_best = shift;
-      best = line;
-    }
-    if (shift.isHigh() && shift.gain > of_high.gain) {
-      of_high = shift;
-      high = line;
-    }
+    if (shift.gain > best.gain)
+      best = {line, shift.gain};
+    if (shift.isHigh() && shift.gain > high.gain)
+      high = {line, shift.gain};
   }
-  const double least = (1. - max_left * max_left) * squares_;
   double most = 0.;
-  for (GridLine line : {best, high}) {
-    if (!(shiftBehind (line, samples.size(), min_side).gain > least))
+  for (auto [line, gain] : {best, high}) {
+    if (!(gain > least))
       continue;
     const Shift shift = refine (line, samples.size(), min_side);
     if (shift.isHigh() && shift.gain > most) {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 using pcl::rgbd_planes::PlaneJoining;
@@ -51,20 +52,30 @@ planesOf (const std::vector<PlaneMoments>& parts)
 
 using Planes = std::vector<std::int32_t>;
 
-/** Of a square and a second one at the same place, \a offset standard deviations behind it,
- * which own so much of each tile of the image. */
+/** Of the first part and the second, which own so much of each tile of the image that
+ * \a ownOf (tile) gives. */
+template <typename OwnOf>
 Planes
-planesWhere (std::uint16_t own, std::uint16_t own_of_second, double offset)
+planesWhere (const std::vector<PlaneMoments>& parts, const OwnOf& ownOf)
 {
-  const std::vector<PlaneMoments> parts{squareAt (0., 0.4), squareAt (0., 0.2, offset)};
   std::vector<TilePart> tile_parts;
   for (std::uint32_t tile = 0; tile < parts[1].points / 8; ++tile) {
-    tile_parts.push_back ({0, tile, own});
-    tile_parts.push_back ({1, tile, own_of_second});
+    const std::pair<std::uint16_t, std::uint16_t> own = ownOf (tile);
+    tile_parts.push_back ({0, tile, own.first});
+    tile_parts.push_back ({1, tile, own.second});
   }
   PlaneJoining joining;
   joining.computeAlternating (parts, tile_parts);
   return joining.planeOfPart();
+}
+
+/** Of a square and a second one at the same place, \a offset standard deviations behind it,
+ * which own so much of each tile. */
+Planes
+planesWhere (std::uint16_t own, std::uint16_t own_of_second, double offset)
+{
+  return planesWhere ({squareAt (0., 0.4), squareAt (0., 0.2, offset)},
+                      [=] (std::uint32_t) { return std::pair (own, own_of_second); });
 }
 
 } // namespace
@@ -142,22 +153,17 @@ TEST (PlaneJoining, JoinsPartsThatAlternate)
 /** The limit of what a plane takes parts what is noisier. */
 TEST (PlaneJoining, JoinsNoisyPartsThatAlternateHereAndThere)
 {
-  const auto planes =
-      [] (double scatter, double scatter_of_second, std::uint32_t apart) {
-        const std::vector<PlaneMoments> parts{
-            squareAt (0., 0.4, 0., usual_noise, 0., scatter),
-            squareAt (0., 0.2, 4., usual_noise, 0., scatter_of_second)};
-        std::vector<TilePart> tile_parts;
-        for (std::uint32_t tile = 0; tile < parts[1].points / 8; ++tile) {
-          const bool alternate =
-              tile % apart == 0; // half of these samples lie between others
-          tile_parts.push_back ({0, tile, std::uint16_t (alternate ? 0xa5a5 : 0x3333)});
-          tile_parts.push_back ({1, tile, std::uint16_t (alternate ? 0x5a5a : 0xcccc)});
-        }
-        PlaneJoining joining;
-        joining.computeAlternating (parts, tile_parts);
-        return joining.planeOfPart();
-      };
+  const auto planes = [] (double scatter,
+                          double scatter_of_second,
+                          std::uint32_t apart) {
+    return planesWhere ({squareAt (0., 0.4, 0., usual_noise, 0., scatter),
+                         squareAt (0., 0.2, 4., usual_noise, 0., scatter_of_second)},
+                        [apart] (std::uint32_t tile) {
+                          // Half of the alternating samples lie between others.
+                          return tile % apart == 0 ? std::pair (0xa5a5, 0x5a5a)
+                                                   : std::pair (0x3333, 0xcccc);
+                        });
+  };
   EXPECT_EQ (planes (1.5, 1.5, 6), (Planes{0, 0}));
   EXPECT_EQ (planes (1., 1.5, 6), (Planes{0, 1}));
   EXPECT_EQ (planes (1.5, 1., 6), (Planes{0, 1}));

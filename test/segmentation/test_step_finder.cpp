@@ -78,13 +78,13 @@ hasStep (const std::vector<SampleError>& samples, std::size_t least = min_side)
 }
 
 void
-expectLegsParted (const std::vector<SampleError>& samples)
+expectLegsParted (const std::vector<SampleError>& samples, const Mask& is_leg = isLeg)
 {
   GridLine step;
   ASSERT_TRUE (StepFinder().find (samples, min_side, step, max_left));
   std::size_t wrong = 0;
   for (const SampleError& sample : samples)
-    wrong += step.isBehind (sample.u, sample.v) != isLeg (sample.u, sample.v);
+    wrong += step.isBehind (sample.u, sample.v) != is_leg (sample.u, sample.v);
   EXPECT_LE (wrong, samples.size() / 50);
 }
 
@@ -118,13 +118,7 @@ TEST (StepFinder, PartsLegsFromASlantedEdgeTwoSamplesThin)
   const auto error = [&] (int u, int v) {
     return (isSlantedLeg (u, v) ? 1.8f : 0.f) - 0.05f * below (u, v);
   };
-  const auto samples = samplesOf (is_own, error);
-  GridLine step;
-  ASSERT_TRUE (StepFinder().find (samples, min_side, step, max_left));
-  std::size_t wrong = 0;
-  for (const SampleError& sample : samples)
-    wrong += step.isBehind (sample.u, sample.v) != isSlantedLeg (sample.u, sample.v);
-  EXPECT_LE (wrong, samples.size() / 50);
+  expectLegsParted (samplesOf (is_own, error), isSlantedLeg);
 }
 
 TEST (StepFinder, FindsStepsAtAnyAngle)

@@ -45,6 +45,13 @@ public:
     return options_.corrected_points;
   }
 
+  /** \brief The last frame, with the pixels that were taken. */
+  const Frame&
+  frame () const
+  {
+    return frame_;
+  }
+
   /** \brief The pixels that were taken; none before the first frame. */
   const pcl::PointCloud<pcl::PointXYZRGB>&
   cloud () const
