@@ -83,9 +83,10 @@ evaluateDetection (int argc, char** argv)
   std::optional<DepthCorrection> correction;
   if (const auto option = readCorrected (command->values))
     correction.emplace (*option);
-  bool has_truth = false;
+  std::size_t frames = 0, with_truth = 0;
   const auto add = [&] (const Frame& frame) {
-    has_truth |= frame.truth || frame.labels.kind == PointLabels::Kind::objects;
+    ++frames;
+    with_truth += frame.truth || frame.labels.kind == PointLabels::Kind::objects;
     comparison.add (frame);
     if (objects)
       objects->add (frame);
@@ -106,9 +107,12 @@ evaluateDetection (int argc, char** argv)
         return json.dump (2) + '\n';
       },
       correction ? calibration (*correction) : FrameCallbacks());
-  if (!has_truth)
+  if (with_truth == 0)
     std::cerr << "pcl_evaluate_detection: no truth in this input: only the rate is "
                  "measured\n";
+  else if (with_truth < frames)
+    std::cerr << "pcl_evaluate_detection: " << frames - with_truth << " of " << frames
+              << " frames have no truth: of them only the rate is measured\n";
 }
 
 } // namespace

@@ -116,6 +116,17 @@ TEST_F (EvaluateDetection, WithoutTruthWhatNeedsItIsNull)
   EXPECT_GT (rows[0]["rate_hz"], 0.);
 }
 
+TEST_F (EvaluateDetection, SaysOfHowManyFramesThereIsNoTruth)
+{
+  const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});
+  pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
+  const Outcome outcome = run ("sim:room:1 wall.pcd --resolution qqvga");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_EQ (
+      outcome.err.rfind ("pcl_evaluate_detection: 1 of 2 frames have no truth", 0), 0u)
+      << outcome.err;
+}
+
 // With too much noise, low things are floor.
 TEST_F (EvaluateDetection, DepthNoiseHidesWhatIsLow)
 {
