@@ -91,14 +91,14 @@ worktop (Random& random)
                   {strongColor (random), ++object});
     y -= thing.y() + random.uniform (0.05f, 0.1f);
   }
-  for (const float side : {0.25f, 0.5f, 0.75f, 1.f})
-    scene.addCylinder (poseAt ({corner.x() - random.uniform (0.35f, 0.5f),
-                                corner.y() - side,
-                                size.z(),
-                                0.f}),
-                       random.uniform (0.03f, 0.05f),
-                       random.uniform (0.06f, 0.15f),
-                       {strongColor (random), ++object});
+  for (const float side : {0.25f, 0.5f, 0.75f, 1.f}) {
+    const Look look{strongColor (random), ++object};
+    const float height = random.uniform (0.06f, 0.15f);
+    const float radius = random.uniform (0.03f, 0.05f);
+    const float x = corner.x() - random.uniform (0.35f, 0.5f);
+    scene.addCylinder (
+        poseAt ({x, corner.y() - side, size.z(), 0.f}), radius, height, look);
+  }
   scene.setCamera ({{0.f, random.uniform (-0.2f, 0.2f), random.uniform (1.4f, 1.6f)},
                     {corner.x() - 0.2f, corner.y() - 0.7f, size.z()},
                     random.uniform (-0.05f, 0.05f)});
