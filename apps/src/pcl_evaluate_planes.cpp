@@ -31,8 +31,9 @@ frame. Labelled points further than 5 mm + 4 mm z^2 from their plane are off.
 Of .pcd files with objects (field label, as in mOSD) a second table tells how well the
 table is found: IoU of its points and the best plane, mean and worst frame; purity: points
 that belong to what most points of their plane belong to, the table or one object. Of
-simulated frames it tells the share of the points on cylinders and spheres that carry the
-label of a plane, and of one that has most of its points on such surfaces (shattered).
+simulated frames it tells the share of the points on curved surfaces, such as cylinders and
+cups, that carry the label of a plane, and of one that has most of its points on such
+surfaces (shattered).
 
 Of simulated frames a third table tells what the correction of depth by ProjectOntoPlanes
 gains: rms distance to the true planes of all their points at 3.5 to 6 m, away from edges,

@@ -110,7 +110,7 @@ Scene::addOpenBox (const Eigen::Affine3f& pose,
   addObject (look, TrueObject::Shape::box, size, pose);
   addHollow (pose,
              {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}},
-             {size, 1.f, wall},
+             {size, 1.f, wall, false},
              look);
 }
 
@@ -122,7 +122,7 @@ Scene::addVessel (const Eigen::Affine3f& pose, const Vessel& vessel, const Look&
   addObject (look, TrueObject::Shape::cylinder, size, pose);
   addHollow (pose,
              circle(),
-             {size, vessel.bottom_radius / vessel.top_radius, vessel.wall},
+             {size, vessel.bottom_radius / vessel.top_radius, vessel.wall, true},
              look);
 }
 
@@ -146,12 +146,17 @@ Scene::addHollow (const Eigen::Affine3f& pose,
        ring (1.f, 0.f, hollow.size.z()),
        ring (1.f, hollow.wall, hollow.size.z()),
        ring (hollow.bottom, hollow.wall, hollow.wall)}};
-  for (std::size_t k = 0; k + 1 < rings.size(); ++k)
+  constexpr std::size_t rim = 1;
+  for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
+    const auto first = static_cast<std::uint32_t> (surfaces.size());
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const std::size_t next = (i + 1) % outline.size();
-      addPolygon ({rings[k][i], rings[k][next], rings[k + 1][next], rings[k + 1][i]},
-                  look);
+      Surface& facet = addPolygon (
+          {rings[k][i], rings[k][next], rings[k + 1][next], rings[k + 1][i]}, look);
+      if (hollow.is_round && k != rim)
+        facet.first_facet = first;
     }
+  }
   addPolygon (rings.back(), look);
 }
 

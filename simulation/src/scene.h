@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -31,6 +32,8 @@ struct Surface {
   std::uint32_t object = 0;
   bool obstacle = true;
   std::vector<Decal> decals;
+  /** Where this is a facet of a curved surface: the index of the first one. */
+  std::optional<std::uint32_t> first_facet;
 };
 
 /** \brief Colour and object id of what is added to a scene. */
@@ -101,6 +104,7 @@ private:
     Eigen::Vector3f size;
     float bottom;
     float wall;
+    bool is_round;
   };
 
   /** \brief Walls along \a outline, which is convex, with corners from -0.5 to 0.5. */

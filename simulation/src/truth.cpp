@@ -32,7 +32,7 @@ public:
            const RenderedPixel& pixel,
            std::vector<Eigen::Vector4f>& planes)
   {
-    if (surface.shape != Surface::Shape::polygon)
+    if (surface.shape != Surface::Shape::polygon || surface.first_facet)
       return 0;
     std::uint32_t& label = labels_[pixel.surface];
     if (label != unknown)
@@ -56,13 +56,17 @@ private:
 /** Finds the pixels that have one of another surface near them. */
 class EdgeMarker {
 public:
-  EdgeMarker (const std::vector<RenderedPixel>& image,
+  EdgeMarker (const Scene& scene,
+              const std::vector<RenderedPixel>& image,
               pcl::PointCloud<TruthPoint>& truth)
-  : image_ (image)
-  , truth_ (truth)
+  : truth_ (truth)
   , width_ (static_cast<int> (truth.width))
   , height_ (static_cast<int> (truth.height))
-  {}
+  {
+    surfaces_.reserve (image.size());
+    for (const auto& pixel : image)
+      surfaces_.push_back (wholeSurface (scene, pixel.surface));
+  }
 
   void
   mark ()
@@ -74,13 +78,22 @@ public:
   }
 
 private:
+  /** The same for all facets of a curved surface. */
+  static std::uint32_t
+  wholeSurface (const Scene& scene, std::uint32_t surface)
+  {
+    if (surface == RenderedPixel::no_surface)
+      return surface;
+    return scene.surfaces[surface].first_facet.value_or (surface);
+  }
+
   /** Not on one surface, nor on two that continue each other. */
   bool
   differ (int u, int v, int other_u, int other_v) const
   {
     const std::size_t i = v * width_ + u;
     const std::size_t j = other_v * width_ + other_u;
-    return image_[i].surface != image_[j].surface &&
+    return surfaces_[i] != surfaces_[j] &&
            (truth_[i].label == 0 || truth_[i].label != truth_[j].label);
   }
 
@@ -103,7 +116,7 @@ private:
           truth_ (x, y).edge = 1;
   }
 
-  const std::vector<RenderedPixel>& image_;
+  std::vector<std::uint32_t> surfaces_;
   pcl::PointCloud<TruthPoint>& truth_;
   int width_;
   int height_;
@@ -135,7 +148,7 @@ fillTruth (const Scene& scene,
     point.object = surface.object;
     point.obstacle = surface.obstacle ? 1 : 0;
   }
-  EdgeMarker (image, *frame.truth).mark();
+  EdgeMarker (scene, image, *frame.truth).mark();
 }
 
 } // namespace rgbd_planes

@@ -44,3 +44,39 @@ TEST (SceneLayout, IsTheSameWithAllCompilers)
   for (const auto& [name, sum] : expected)
     EXPECT_NEAR (layout (makeScene (name, 1)), sum, 1e-5) << name;
 }
+
+TEST (SceneTruth, RoundWallsAreNoPlanesAndEndAtTheirRims)
+{
+  constexpr int px = 5;
+  enum : std::uint32_t { outside = 1u << 16, inside = 1u << 17 };
+  const auto frame = simulate ("crockery", 1, Sensor::ideal);
+  pcl::PointCloud<pcl::Label> walls (640, 480); // the plane, or the side of a vessel
+  std::size_t round = 0, flat = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto& point = (*frame.truth)[i];
+    walls[i].label = point.label;
+    if (point.object == 0)
+      continue;
+    const TrueObject& object = frame.objects[point.object - 1];
+    if (object.shape != TrueObject::Shape::cylinder)
+      continue;
+    const Eigen::Affine3f to_object = object.pose.inverse();
+    const Eigen::Vector3f normal = to_object.linear() * point.getNormalVector3fMap();
+    const Eigen::Vector3f radial = to_object * point.getVector3fMap();
+    ASSERT_EQ (point.label != 0, normal.z() > 0.999f) << point.object;
+    if (point.label == 0)
+      walls[i].label = point.object +
+                       (normal.head<2>().dot (radial.head<2>()) > 0 ? outside : inside);
+    ++(point.label == 0 ? round : flat);
+  }
+  EXPECT_GT (round, 10000u);
+  EXPECT_GT (flat, 1000u);
+  for (int v = px; v + px < 480; v += 3)
+    for (int u = px; u + px < 640; u += 3) {
+      bool expected = false;
+      for (int y = v - px; y <= v + px; ++y)
+        for (int x = u - px; x <= u + px; ++x)
+          expected |= walls (x, y).label != walls (u, v).label;
+      ASSERT_EQ ((*frame.truth) (u, v).edge, expected ? 1u : 0u) << u << " " << v;
+    }
+}

@@ -13,7 +13,8 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief How many points of curved surfaces were taken for points of planes, pooled over
- * simulated frames. Curved are the cylinders and spheres: what is seen and on no true plane.
+ * simulated frames. Curved are cylinders, spheres and the walls of cups and bowls: what is
+ * seen and on no true plane.
  */
 class CurvedPoints {
 public:
