@@ -9,7 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -49,13 +52,42 @@ toVector (const Json& json)
   return vector;
 }
 
+/** How far the length of a direction may be from 1. */
+constexpr float unit_tolerance = 1e-3f;
+
 Eigen::Affine3f
 toPose (const Json& json)
 {
   Eigen::Affine3f pose = Eigen::Affine3f::Identity();
   for (int row = 0; row < 3; ++row)
     pose.matrix().row (row) = toVector<4> (json.at (static_cast<std::size_t> (row)));
+  if (!pose.matrix().allFinite() || !pose.linear().isUnitary (unit_tolerance) ||
+      pose.linear().determinant() < 0.f)
+    throw AppError ("a pose is no turn and shift");
   return pose;
+}
+
+Eigen::Vector4f
+toPlane (const Json& json)
+{
+  const auto plane = toVector<4> (json);
+  if (!plane.allFinite() ||
+      !(std::fabs (plane.head<3>().norm() - 1.f) < unit_tolerance))
+    throw AppError ("the normal of a plane is not of length 1");
+  return plane;
+}
+
+TrueObject
+toObject (const Json& json)
+{
+  const Json& id = json.at ("id");
+  if (!id.is_number_unsigned() || id == 0 ||
+      id > std::numeric_limits<std::uint32_t>::max())
+    throw AppError ("the id of an object is no whole number from 1 on");
+  const auto size = toVector<3> (json.at ("size_m"));
+  if (!size.allFinite() || !(size.minCoeff() > 0.f))
+    throw AppError ("a size of an object is not more than 0");
+  return {id, shapeOf (json.at ("shape")), size, toPose (json.at ("pose"))};
 }
 
 void
@@ -66,12 +98,9 @@ readScene (const fs::path& file, Frame& frame)
     const Json json = Json::parse (stream);
     frame.camera_to_base = toPose (json.at ("camera_to_base"));
     for (const Json& plane : json.at ("planes"))
-      frame.true_planes.push_back (toVector<4> (plane));
+      frame.true_planes.push_back (toPlane (plane));
     for (const Json& object : json.at ("objects"))
-      frame.true_objects.push_back ({object.at ("id"),
-                                     shapeOf (object.at ("shape")),
-                                     toVector<3> (object.at ("size_m")),
-                                     toPose (object.at ("pose"))});
+      frame.true_objects.push_back (toObject (object));
   }
   catch (const std::exception& error) {
     throw AppError (file.string() + ": not the truth about a frame: " + error.what() +
@@ -103,7 +132,8 @@ truthFiles (const fs::path& frame)
 {
   const fs::path start = fs::path (frame).replace_extension() += "_truth";
   const fs::path scene = fs::path (start) += ".json";
-  if (!fs::exists (scene))
+  std::error_code too_long; // as the name of the frame may be without this ending
+  if (!fs::exists (scene, too_long))
     return {};
   return {scene, fs::path (start) += ".pcd"};
 }

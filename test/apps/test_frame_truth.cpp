@@ -156,6 +156,43 @@ TEST_F (FrameTruth, OfAnotherSceneIsRefused)
       << refusal();
 }
 
+TEST_F (FrameTruth, ImpossibleNumbersAreRefused)
+{
+  const json scene = json::parse (readFile (path ("_truth.json")));
+  const json no_turn = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+  const json mirror = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}};
+  json far_away = scene["camera_to_base"];
+  far_away[0][3] = 1e39;
+  const auto expectRefusal = [&] (const std::string& place, const json& value) {
+    json damaged = scene;
+    damaged[json::json_pointer (place)] = value;
+    writeFile (path ("_truth.json"), damaged.dump());
+    EXPECT_NE (refusal().find ("_truth.json: not the truth about a frame"),
+               std::string::npos)
+        << place << ' ' << value << ' ' << refusal();
+  };
+  for (const json& pose : {no_turn, mirror, far_away}) {
+    expectRefusal ("/camera_to_base", pose);
+    expectRefusal ("/objects/0/pose", pose);
+  }
+  for (const json& plane : {json{0, 0, 0, 1}, json{0, 0, 2, 1}, json{0, 0, 1, 1e39}})
+    expectRefusal ("/planes/0", plane);
+  for (const json& id :
+       {json (0), json (-1), json (1.5), json (1ull << 32), json ("1")})
+    expectRefusal ("/objects/0/id", id);
+  for (const json& size : {json{0, 1, 1}, json{1, -1, 1}, json{1, 1, 1e39}})
+    expectRefusal ("/objects/0/size_m", size);
+}
+
+TEST_F (FrameTruth, NamesMayBeTooLongToHaveOne)
+{
+  const std::string name (255 - 4, 'a');
+  std::filesystem::copy (path (".pcd"), folder_ / (name + ".pcd"));
+  const Frame frame = read (folder_ / (name + ".pcd"));
+  EXPECT_EQ (frame.name, name);
+  EXPECT_FALSE (frame.truth);
+}
+
 TEST_F (FrameTruth, DamagedOneIsRefused)
 {
   const std::string scene = readFile (path ("_truth.json"));
