@@ -3,6 +3,7 @@
 
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/measured_cloud.h>
 #include <pcl/apps/object_comparison.h>
 #include <pcl/apps/statistics.h>
@@ -73,6 +74,7 @@ DetectionComparison::add (const Frame& frame)
   if (frame.truth)
     obstacles = numberObstacles (*frame.truth);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
+    stopIfInterrupted();
     Run& run = runs_[i];
     const auto cloud = measuredCloud (frame, run.step, 2);
     // The first run pays for memory that later ones find in place.

@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/normal_comparison.h>
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
@@ -88,6 +89,7 @@ NormalComparison::run (Resolution& resolution, const Task& task)
   const bool has_truth = !task.is_edge.empty();
   const Normals& tangent = resolution.runners.front().normals;
   for (auto& [method, normals] : resolution.runners) {
+    stopIfInterrupted();
     if (!has_truth && method.name == two_run_pca)
       continue;
     // The first run pays for memory that later ones find in place.

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/object_comparison.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/common/io.h>
@@ -113,6 +114,7 @@ ObjectComparison::add (const Frame& frame)
   pcl::PointCloud<pcl::PointXYZ> full;
   pcl::copyPointCloud (*frame.cloud, full);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
+    stopIfInterrupted();
     Run& run = runs_[i];
     ObjectInput input;
     input.cloud =

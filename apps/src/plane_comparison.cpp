@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/input_options.h>
+#include <pcl/apps/interruption.h>
 #include <pcl/apps/measured_cloud.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/apps/plane_comparison.h>
@@ -56,6 +57,7 @@ void
 PlaneComparison::add (const Frame& frame)
 {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
+    stopIfInterrupted();
     Run& run = runs_[i];
     const auto cloud = measuredCloud (frame, run.step, min_pixels);
     const unsigned min_points = minPlanePoints (frame, cloud->size());

@@ -18,8 +18,8 @@ catchInterruption ();
 bool
 isInterrupted ();
 
-/** \brief Throws AppError if a signal came. To be called after each frame and before files are
- * committed. */
+/** \brief Throws AppError if a signal came. To be called after each frame, before each
+ * method that is compared on it, and before files are committed. */
 void
 stopIfInterrupted ();
 
