@@ -86,7 +86,7 @@ readOptions (int argc, char** argv)
       "camera",
       text ("C"),
       "a whole number: frames with the same one share the smooth error of depth that a "
-      "camera has; without it, each seed has its own") (
+      "Kinect has; without it, each seed has its own; not for other sensors") (
       "sensor",
       text ("ideal|kinect|active_stereo")->default_value ("kinect"),
       "depth without errors, with those of Microsoft's first Kinect, or of a RealSense "
@@ -111,11 +111,15 @@ readOptions (int argc, char** argv)
   std::optional<unsigned> camera;
   if (values.count ("camera"))
     camera = parseNumber<unsigned> ("--camera", value ("camera"));
+  const Sensor sensor = parseSensor (value ("sensor"));
+  if (camera && sensor != Sensor::kinect)
+    throw AppError ("--camera: only --sensor kinect has a smooth error of depth; leave "
+                    "out --camera");
   const std::string scene = values["scene"].as<std::vector<std::string>>().front();
   return Options{scene,
                  seed,
                  camera,
-                 parseSensor (value ("sensor")),
+                 sensor,
                  parseResolution (value ("resolution")),
                  value ("output"),
                  scene + '_' + std::to_string (seed) +

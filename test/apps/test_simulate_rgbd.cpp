@@ -88,6 +88,8 @@ TEST_F (SimulateRgbd, BadUsageIsToldInOneLine)
   expectRefused ("attic --output .", "table_cluttered");
   expectRefused ("room --output . --sensor lidar", "ideal, kinect or active_stereo");
   expectRefused ("room --output . --seed -1", "--seed");
+  for (const std::string sensor : {"ideal", "active_stereo"})
+    expectRefused ("room --output . --camera 2 --sensor " + sensor, "--camera: only");
   expectRefused ("room --output . --resolution hd", "vga, qvga or qqvga");
   expectRefused ("room --output . --depth", "--help");
   expectRefused ("room --output /dev/null/folder", "/dev/null");
