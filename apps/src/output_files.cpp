@@ -21,7 +21,20 @@ namespace {
 fs::path
 placeOf (const fs::path& name)
 {
-  return fs::weakly_canonical (fs::current_path() / name);
+  fs::path place = fs::weakly_canonical (fs::current_path() / name);
+  while (fs::is_symlink (place)) // to a file that is not there
+    place = fs::weakly_canonical (place.parent_path() / fs::read_symlink (place));
+  return place;
+}
+
+/** Those of a file that it replaces, as far as the file system has them. */
+void
+keepPermissions (const fs::path& old_file, const fs::path& new_file)
+{
+  std::error_code ignored;
+  const fs::file_status status = fs::status (old_file, ignored);
+  if (fs::exists (status))
+    fs::permissions (new_file, status.permissions(), ignored);
 }
 
 } // namespace
@@ -63,11 +76,14 @@ OutputFiles::add (const fs::path& name)
 {
   if (!name.has_filename())
     throw AppError ("'" + name.string() + "': is no name of a file to write; give one");
-  const fs::path path = placeOf (name);
   std::error_code error;
-  if (name == "-" || fs::equivalent (path, "/dev/stdout", error))
+  if (name == "-" || fs::equivalent (name, "/dev/stdout", error))
     throw AppError (name.string() +
                     ": standard output has the tables; give the name of a file");
+  const fs::path path = placeOf (name);
+  if (fs::exists (path) && !fs::is_regular_file (path))
+    throw AppError (path.string() +
+                    ": is there and no regular file; choose another name");
   if (place_of_path_.count (path))
     throw AppError (name.string() +
                     ": two results of this run would be in this file; choose another "
@@ -75,9 +91,6 @@ OutputFiles::add (const fs::path& name)
   if (protected_.count (path))
     throw AppError (name.string() +
                     ": is an input, which would be replaced; choose another name");
-  if (fs::exists (path) && !fs::is_regular_file (path))
-    throw AppError (path.string() +
-                    ": is there and no regular file; choose another name");
   const std::string temporary =
       "." + path.filename().string() + "." + std::to_string (::getpid()) + ".part";
   place_of_path_.emplace (path, files_.size());
@@ -121,6 +134,7 @@ OutputFiles::commit()
 {
   for (; !files_.empty(); files_.pop_back()) {
     std::error_code error;
+    keepPermissions (files_.back().path, files_.back().temporary);
     fs::rename (files_.back().temporary, files_.back().path, error);
     if (error)
       throw AppError (files_.back().path.string() + ": cannot write this file: " +

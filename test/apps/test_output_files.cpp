@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+namespace fs = std::filesystem;
 using namespace pcl::rgbd_planes;
 using Names = std::vector<std::string>;
 
@@ -22,7 +23,7 @@ TEST (OutputFiles, AppearWithCommit)
     files.write (folder / "old.txt", "new");
     files.write (folder / "a/../a/b/new.txt", "contents");
     EXPECT_EQ (readFile (folder / "old.txt"), "old");
-    EXPECT_FALSE (std::filesystem::exists (folder / "a/b/new.txt"));
+    EXPECT_FALSE (fs::exists (folder / "a/b/new.txt"));
     files.commit();
   }
   EXPECT_EQ (readFile (folder / "old.txt"), "new");
@@ -34,7 +35,7 @@ TEST (OutputFiles, AppearWithCommit)
 TEST (OutputFiles, LeaveNothingWithoutCommit)
 {
   const TemporaryFolder folder;
-  std::filesystem::create_directory (folder / "a");
+  fs::create_directory (folder / "a");
   {
     OutputFiles files;
     files.createFolder (folder / "a/b/c/");
@@ -48,7 +49,7 @@ TEST (OutputFiles, InputsAreNotReplaced)
 {
   const TemporaryFolder folder;
   writeFile (folder / "in.pcd", "recording");
-  std::filesystem::create_symlink ("in.pcd", folder / "link.pcd");
+  fs::create_symlink ("in.pcd", folder / "link.pcd");
   for (const std::string input : {"in.pcd", "link.pcd"}) {
     OutputFiles files;
     files.protect ({folder / input, "", folder / "missing.pcd"});
@@ -58,10 +59,42 @@ TEST (OutputFiles, InputsAreNotReplaced)
   }
 }
 
+TEST (OutputFiles, ReplacedOnesKeepTheirPermissions)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "secret.txt", "old");
+  const auto secret = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions (folder / "secret.txt", secret);
+  OutputFiles files;
+  files.reserve (folder / "secret.txt");
+  files.write (folder / "secret.txt", "new");
+  files.commit();
+  EXPECT_EQ (readFile (folder / "secret.txt"), "new");
+  EXPECT_EQ (fs::status (folder / "secret.txt").permissions(), secret);
+}
+
+TEST (OutputFiles, LinksStayAlsoToWhatIsNotThere)
+{
+  const TemporaryFolder folder;
+  fs::create_directory (folder / "a");
+  fs::create_symlink ("a/link", folder / "link");
+  fs::create_symlink (folder / "new.txt", folder / "a/link");
+  for (const std::string contents : {"1", "2"}) {
+    OutputFiles files;
+    files.reserve (folder / "link");
+    EXPECT_THROW (files.reserve (folder / "new.txt"), AppError);
+    files.write (folder / "link", contents);
+    files.commit();
+    EXPECT_EQ (readFile (folder / "new.txt"), contents);
+    EXPECT_TRUE (fs::is_symlink (folder / "link"));
+    EXPECT_TRUE (fs::is_symlink (folder / "a/link"));
+  }
+}
+
 TEST (OutputFiles, TwoResultsInOneFileAreRefused)
 {
   const TemporaryFolder folder;
-  std::filesystem::create_directory (folder / "a");
+  fs::create_directory (folder / "a");
   OutputFiles files;
   files.reserve (folder / "1.txt");
   EXPECT_THROW (files.reserve (folder / "1.txt"), AppError);
@@ -88,7 +121,7 @@ TEST (OutputFiles, NamesOfNoFileAreRefused)
 TEST (OutputFiles, FoldersOfInputsAreRefused)
 {
   const TemporaryFolder folder;
-  std::filesystem::create_directories (folder / "in/deeper");
+  fs::create_directories (folder / "in/deeper");
   writeFile (folder / "in/1.pcd", "");
   for (const std::string input : {"in", "in/1.pcd"}) {
     EXPECT_THROW (refuseInputFolder (folder / input, folder / "in"), AppError);
@@ -105,7 +138,7 @@ TEST (OutputFiles, ImpossiblePlacesAreRefused)
 {
   const TemporaryFolder folder;
   writeFile (folder / "file", "");
-  std::filesystem::create_directory (folder / "folder");
+  fs::create_directory (folder / "folder");
   OutputFiles files;
   EXPECT_THROW (files.createFolder (folder / "file"), AppError);
   EXPECT_THROW (files.createFolder (folder / "file/folder"), AppError);
