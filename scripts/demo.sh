@@ -6,6 +6,16 @@
 # Installs what is missing and builds first.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
+for argument; do
+  case $argument in
+    -h | --help)
+      sed -n '2,6s/^# //p' "$0"
+      exit ;;
+    --version)
+      sed -n 's/^project(\(pcl_rgbd_planes\) VERSION \([^ ]*\).*/\1 \2/p' "$root/CMakeLists.txt"
+      exit ;;
+  esac
+done
 if [ $# -eq 0 ]; then
   set -- sim:table_single
 fi
@@ -21,8 +31,10 @@ rm -f "$root/build.log"
 
 output=$root/demo_output
 echo "== Segmenting $1"
+rm -rf "$root/build/demo_output"
+"$root/build/bin/pcl_segment_planes" "$@" --output "$root/build/demo_output"
 rm -rf "$output"
-"$root/build/bin/pcl_segment_planes" "$@" --output "$output"
+mv "$root/build/demo_output" "$output"
 
 echo "== Pictures"
 ls "$output"/*.png
