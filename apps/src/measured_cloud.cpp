@@ -20,8 +20,8 @@ measuredCloud (const Frame& frame, std::uint32_t step, std::uint32_t min_pixels)
   if (cloud->width < min_pixels || cloud->height < min_pixels) {
     const std::string pixels = std::to_string (min_pixels);
     throw AppError (frame.name + ": is too small as " + resolutionName (step) + ", " +
-                    pixels + " x " + pixels +
-                    " pixels are needed; use --resolution vga or larger frames");
+                    pixels + " x " + pixels + " pixels are needed; use " +
+                    (step == 1 ? "" : "--resolution vga or ") + "larger frames");
   }
   return cloud;
 }

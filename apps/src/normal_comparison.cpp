@@ -85,7 +85,9 @@ NormalComparison::run (Resolution& resolution, const Task& task)
   if (task.cloud->width < min_pixels || task.cloud->height < min_pixels)
     throw AppError (task.frame + ": has " + std::to_string (task.cloud->width) + " x " +
                     std::to_string (task.cloud->height) + " pixels as " + name +
-                    ", and 40 x 40 are needed; use --resolution vga or larger frames");
+                    ", and 40 x 40 are needed; use " +
+                    (resolution.step == 1 ? "" : "--resolution vga or ") +
+                    "larger frames");
   const bool has_truth = !task.is_edge.empty();
   const Normals& tangent = resolution.runners.front().normals;
   for (auto& [method, normals] : resolution.runners) {

@@ -59,6 +59,8 @@ OutputFiles::protect (const std::vector<fs::path>& inputs)
 void
 OutputFiles::createFolder (const fs::path& folder)
 {
+  if (folder.empty())
+    throw AppError ("'': is no name of a folder to write to; give one");
   std::error_code error;
   if (fs::is_directory (folder, error))
     return;
@@ -80,10 +82,12 @@ OutputFiles::add (const fs::path& name)
   if (name == "-" || fs::equivalent (name, "/dev/stdout", error))
     throw AppError (name.string() +
                     ": standard output has the tables; give the name of a file");
-  const fs::path path = placeOf (name);
-  if (fs::exists (path) && !fs::is_regular_file (path))
-    throw AppError (path.string() +
+  // A pipe of the shell has no place.
+  const fs::file_status status = fs::status (name, error);
+  if (fs::exists (status) && !fs::is_regular_file (status))
+    throw AppError (name.string() +
                     ": is there and no regular file; choose another name");
+  const fs::path path = placeOf (name);
   if (place_of_path_.count (path))
     throw AppError (name.string() +
                     ": two results of this run would be in this file; choose another "

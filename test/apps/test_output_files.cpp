@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "files.h"
+#include <unistd.h>
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/output_files.h>
@@ -91,6 +92,21 @@ TEST (OutputFiles, LinksStayAlsoToWhatIsNotThere)
   }
 }
 
+TEST (OutputFiles, PipesOfTheShellAreRefused)
+{
+  int pipe[2];
+  ASSERT_EQ (::pipe (pipe), 0);
+  try {
+    OutputFiles().reserve ("/dev/fd/" + std::to_string (pipe[1]));
+    FAIL();
+  }
+  catch (const AppError& error) {
+    EXPECT_NE (std::string (error.what()).find ("no regular file"), std::string::npos);
+  }
+  ::close (pipe[0]);
+  ::close (pipe[1]);
+}
+
 TEST (OutputFiles, TwoResultsInOneFileAreRefused)
 {
   const TemporaryFolder folder;
@@ -142,7 +158,13 @@ TEST (OutputFiles, ImpossiblePlacesAreRefused)
   OutputFiles files;
   EXPECT_THROW (files.createFolder (folder / "file"), AppError);
   EXPECT_THROW (files.createFolder (folder / "file/folder"), AppError);
-  EXPECT_THROW (files.createFolder (""), AppError);
+  try {
+    files.createFolder ("");
+    FAIL();
+  }
+  catch (const AppError& error) {
+    EXPECT_STREQ (error.what(), "'': is no name of a folder to write to; give one");
+  }
   EXPECT_THROW (files.write (folder / "folder", ""), AppError);
   EXPECT_THROW (files.write (folder / "nothing/file", ""), AppError);
   EXPECT_THROW (files.write ("/dev/null", ""), AppError);
