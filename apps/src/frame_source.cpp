@@ -10,6 +10,7 @@
 #include <pcl/apps/live_grabber.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/parse_number.h>
+#include <pcl/apps/tum_list.h>
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 
@@ -18,11 +19,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -235,28 +234,7 @@ void
 FrameSource::addTumFolder (const fs::path& folder)
 {
   const fs::path list = folder / "depth.txt";
-  std::ifstream stream (list);
-  bool freiburg3 = false;
-  std::vector<std::pair<double, fs::path>> files;
-  std::string line, timestamp, file;
-  for (int number = 1; std::getline (stream, line); ++number) {
-    std::istringstream words (line);
-    if (!(words >> timestamp))
-      continue;
-    if (timestamp[0] == '#')
-      freiburg3 = freiburg3 || line.find ("freiburg3") != std::string::npos;
-    else if (words >> file)
-      files.emplace_back (parseNumber<double> (list.string() + ": line " +
-                                                   std::to_string (number) +
-                                                   ": the timestamp",
-                                               timestamp),
-                          folder / file);
-    else
-      throw AppError (list.string() + ": line " + std::to_string (number) +
-                      " is not 'timestamp filename'");
-  }
-  if (files.empty())
-    throw AppError (list.string() + ": lists no depth image");
+  const auto [images, freiburg3] = readTumList (list);
 
   // The calibrations the benchmark recommends for its registered depth images.
   const Intrinsics tum_camera = freiburg3 ? Intrinsics{535.4f, 539.2f, 320.1f, 247.6f}
@@ -266,7 +244,7 @@ FrameSource::addTumFolder (const fs::path& folder)
   options_.units_per_metre = options_.units_per_metre.value_or (5000.f);
   const DepthCamera camera{*options_.intrinsics, *options_.units_per_metre, guessed};
   files_.push_back (list);
-  for (const auto& [time, path] : files) {
+  for (const auto& [time, path] : images) {
     files_.push_back (path);
     frames_.push_back ({path.stem(),
                         [path = path, camera] (Frame& frame) {
