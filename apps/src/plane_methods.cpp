@@ -206,9 +206,12 @@ planeMethods (const std::vector<std::string>& without,
 {
   std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}, noise),
                                    makeMethod ("pcl_omps", organizedMultiPlanes())};
-  for (const std::string& list : without)
+  for (auto list = without.begin(); list != without.end(); ++list) {
+    if (std::find (without.begin(), list, *list) != list)
+      throw AppError ("--without: '" + *list + "' is given twice; leave one out");
     methods.push_back (
-        normalSpaceMethod ("no_" + list, additionsWithout (list), noise));
+        normalSpaceMethod ("no_" + *list, additionsWithout (*list), noise));
+  }
   if (corrected)
     methods.push_back (correctedMethod (*corrected));
   return methods;

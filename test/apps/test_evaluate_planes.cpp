@@ -179,6 +179,8 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("sim:table_single --json ''", "no name of a file");
   expectRefused ("sim:table_single --without growth,roots", "roots");
   expectRefused ("sim:table_single --without ''", "''");
+  expectRefused ("sim:table_single --without edges --without edges",
+                 "'edges' is given twice");
   std::filesystem::create_directory (folder_ / "in");
   writeFile (folder_ / "in/frame.pcd",
              asciiPcd ("x y z", 2, 2, "0 0 1\n0 0 1\n0 0 1\n0 0 1\n"));
