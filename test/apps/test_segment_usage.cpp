@@ -207,7 +207,7 @@ TEST_F (SegmentUsage, UnwritablePlacesAreRefused)
   expectRefused (input + "--output walls.png", "walls.png: cannot create this folder");
   expectRefused (input + "--output walls.png/out", "cannot create this folder");
   expectRefused (input + "--output /proc/out", "/proc/out: cannot create this folder");
-  expectRefused (input + "--output ''", "cannot create this folder");
+  expectRefused (input + "--output ''", "is no name of a folder");
   expectRefused (input + "--output out --json nowhere/out.json",
                  "cannot write this file");
   expectRefused (input + "--json .", "no regular file");
