@@ -124,8 +124,12 @@ OutputFiles::write (const fs::path& name, const std::string& contents)
 void
 OutputFiles::fill (const File& file, const std::string& contents)
 {
+  std::error_code ignored;
+  fs::remove (file.temporary, ignored); // a reserved one may be read-only
   errno = 0;
   std::ofstream stream (file.temporary, std::ios::binary);
+  if (stream)
+    keepPermissions (file.path, file.temporary);
   stream << contents;
   stream.close();
   if (!stream)
@@ -138,7 +142,6 @@ OutputFiles::commit()
 {
   for (; !files_.empty(); files_.pop_back()) {
     std::error_code error;
-    keepPermissions (files_.back().path, files_.back().temporary);
     fs::rename (files_.back().temporary, files_.back().path, error);
     if (error)
       throw AppError (files_.back().path.string() + ": cannot write this file: " +

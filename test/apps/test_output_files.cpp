@@ -64,11 +64,13 @@ TEST (OutputFiles, ReplacedOnesKeepTheirPermissions)
 {
   const TemporaryFolder folder;
   writeFile (folder / "secret.txt", "old");
-  const auto secret = fs::perms::owner_read | fs::perms::owner_write;
+  const auto secret = fs::perms::owner_read;
   fs::permissions (folder / "secret.txt", secret);
   OutputFiles files;
   files.reserve (folder / "secret.txt");
   files.write (folder / "secret.txt", "new");
+  for (const auto& name : listFolder (folder.path())) // also of the temporary file
+    EXPECT_EQ (fs::status (folder / name).permissions(), secret) << name;
   files.commit();
   EXPECT_EQ (readFile (folder / "secret.txt"), "new");
   EXPECT_EQ (fs::status (folder / "secret.txt").permissions(), secret);
