@@ -80,7 +80,7 @@ FloorPlane::find (const OrganizedPoints& points,
     // the robot.
     const float off = std::min (std::abs (samples.height) / samples.weight,
                                 std::abs (heightAbove (plane, base.data())) / cosine);
-    const float nearness = std::max (max_height - off, 0.f);
+    const float nearness = std::max (1.f - off / max_height, 0.f);
     const float weight = samples.weight * nearness * nearness;
     if (!(weight > largest_weight))
       continue;

@@ -143,6 +143,23 @@ TEST_F (ObstacleFilterTest, TheOrganizationCanBeKept)
   EXPECT_EQ (output[6].z, -7.f) << "points without a position are removed as well";
 }
 
+TEST_F (ObstacleFilterTest, WhatIsNotAskedForIsNotKeptInTheOrganizationEither)
+{
+  filter_.setKeepOrganized (true);
+  filter_.setNegative (true);
+  for (const pcl::Indices& asked : {pcl::Indices{2, 4, 7}, pcl::Indices{}}) {
+    filter_.setIndices (pcl::make_shared<pcl::Indices> (asked));
+    Cloud output;
+    filter_.filter (output);
+    ASSERT_EQ (output.size(), 12u);
+    EXPECT_FALSE (output.is_dense);
+    for (std::size_t i = 0; i < 12; ++i)
+      EXPECT_EQ (std::isnan (output[i].x), asked.empty() || i != 4) << i;
+    for (const pcl::index_t removed : *filter_.getRemovedIndices())
+      EXPECT_TRUE (removed == 2 || removed == 7) << removed;
+  }
+}
+
 TEST_F (ObstacleFilterTest, RemovedIndicesNeedNotBeCollected)
 {
   pcl::ObstacleFilter<pcl::PointXYZ> filter (false);
@@ -162,7 +179,8 @@ TEST_F (ObstacleFilterTest, BadInputKeepsNothing)
   EXPECT_TRUE (kept().empty());
   filter_.setClasses (classes_);
   EXPECT_EQ (kept().size(), 3u);
-  filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{2, 12}));
+  filter_.setIndices (
+      pcl::make_shared<pcl::Indices> (pcl::Indices{2, -1, 12, 100000000}));
   testing::internal::CaptureStderr();
   EXPECT_TRUE (kept().empty());
   const std::string error = testing::internal::GetCapturedStderr();

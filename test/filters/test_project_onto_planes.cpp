@@ -193,6 +193,20 @@ TEST (ProjectOntoPlanes, WhatIsNoPlaneMovesNothing)
     expectNear (output[i], (*points())[i].getVector3fMap());
 }
 
+TEST (ProjectOntoPlanes, CoefficientsMayHaveAnyLength)
+{
+  for (const float length : {1e-30f, 1.f, 1e30f}) {
+    Projection projection;
+    projection.setInputCloud (points());
+    projection.setPlanes ({model (length * Eigen::Vector4f (0.f, 0.f, 1.f, -2.f))},
+                          {indices ({0, 3})});
+    Cloud output;
+    projection.filter (output);
+    for (const std::size_t i : {0, 3})
+      EXPECT_NEAR (output[i].z, 2.f, 1e-6f) << length;
+  }
+}
+
 TEST (ProjectOntoPlanes, LabelsTakeThePlaceOfIndicesAndBack)
 {
   Projection projection;

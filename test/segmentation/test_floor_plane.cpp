@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
+#include <vector>
 
 using namespace obstacle_scenes;
 
@@ -52,6 +54,25 @@ TEST (FloorPlane, WithoutAFloorAllIsAnObstacle)
   detection.setFloorTolerances (0.17f, 0.2f);
   detection.detect (result.obstacles, result.classes);
   EXPECT_TRUE (detection.isFloorFound());
+}
+
+TEST (FloorPlane, AtAnyHeightItIsTheLargestPlane)
+{
+  // Much of the view is a table, in front of more floor.
+  Patch table = floorAt (0.5f), floor = floorAt (0.f);
+  table.covers = [] (const Eigen::Vector3f& p) { return p.x() < 0.9f; };
+  for (const bool table_first : {false, true}) {
+    const FloorScene scene (table_first ? std::vector<Patch>{table, floor}
+                                        : std::vector<Patch>{floor, table},
+                            pose);
+    Detection detection;
+    setInput (detection, scene);
+    detection.setFloorTolerances (0.17f, std::numeric_limits<float>::infinity());
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    ASSERT_TRUE (detection.isFloorFound());
+    EXPECT_NEAR (detection.getFloor()[3], 0.3f, 0.001f) << table_first;
+  }
 }
 
 TEST (FloorPlane, ASlopeAcrossTheHeightOfTheFloorIsNoFloor)

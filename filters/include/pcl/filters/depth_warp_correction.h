@@ -41,7 +41,8 @@ namespace pcl {
  * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)), behind the camera, or so far
  * away that the error is as large as half of the range stay. Without frames or a warp, with an
  * input that is no image of their size or not in the camera frame (\c sensor_origin_ is not 0), or
- * an index outside of it: an error message and an empty output.
+ * an index outside of it: an error message and an empty output. Without an input, after an error
+ * message of PCL, the output stays as it was.
  *
  * The warp stays with the camera. getWarp() is an image that PCL can keep in a file:
  *
@@ -71,7 +72,7 @@ public:
 
   /** \brief Adds what the planes of a frame tell; false after an error message where there is no
    * cloud, it is no image of the size of the frames before, its \c sensor_origin_ is not 0, or
-   * the planes are not those of the cloud.
+   * the planes are not those of the cloud. A frame without planes adds nothing, and is taken.
    * \param[in] cloud as measured, in the camera frame, z forward
    * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
    * \param[in] inlier_indices the points of each plane

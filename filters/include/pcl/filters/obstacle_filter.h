@@ -31,10 +31,11 @@ namespace pcl {
  * those with a label that is no class.
  *
  * As in all FilterIndices: with indices, only these points are looked at; setKeepOrganized
- * keeps the organization and gives removed points the user filter value; getRemovedIndices
- * has the removed points, unless the constructor was told not to collect them. Classes that
- * are missing or of another size than the input, or an index outside of it: an error
- * message, and nothing is kept.
+ * keeps the organization and gives removed points the user filter value, also those that are not
+ * among the indices; getRemovedIndices has the removed points that are, unless the
+ * constructor was told not to collect them. Classes that are missing or of another size than
+ * the input, or an index outside of it: an error message, and nothing is kept. Without an
+ * input, after an error message of PCL, the output stays as it was.
  *
  * \ingroup filters
  */
@@ -48,6 +49,7 @@ class PCL_RGBD_PLANES_EXPORTS ObstacleFilter : public FilterIndices<PointT> {
   using Filter<PointT>::removed_indices_;
   using FilterIndices<PointT>::keep_organized_;
   using FilterIndices<PointT>::negative_;
+  using FilterIndices<PointT>::user_filter_value_;
   using PCLBase<PointT>::fake_indices_;
 
 public:
@@ -86,6 +88,9 @@ protected:
   applyFilter (PointCloud& output) override;
 
 private:
+  void
+  removeOthers (PointCloud& output) const;
+
   Classes::ConstPtr classes_;
 };
 

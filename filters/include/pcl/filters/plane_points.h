@@ -26,11 +26,13 @@ using PlaneVectors =
 inline Eigen::Vector4f
 planeVector (const ModelCoefficients& model)
 {
-  Eigen::Vector4f plane =
-      Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
-  if (model.values.size() == 4)
-    plane = Eigen::Map<const Eigen::Vector4f> (model.values.data());
-  return (plane[3] < 0.f ? -1.f : 1.f) / plane.head<3>().norm() * plane;
+  if (model.values.size() != 4)
+    return Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
+  // Squares of what a float holds are no floats.
+  const Eigen::Vector4d plane =
+      Eigen::Map<const Eigen::Vector4f> (model.values.data()).cast<double>();
+  const double sign = plane[3] < 0. ? -1. : 1.;
+  return (sign / plane.head<3>().norm() * plane).cast<float>();
 }
 
 inline PlaneVectors

@@ -37,7 +37,7 @@ namespace pcl {
  * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)) and those of planes without
  * four finite coefficients and a normal stay. Labels of another size than the input, not one
  * list of inliers for each plane, or an index outside of the input: an error message and an
- * empty output.
+ * empty output. Without an input, after an error message of PCL, the output stays as it was.
  *
  * \ingroup filters
  */

@@ -12,7 +12,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Something that a robot must not drive into. */
+/** \brief Something that a robot must not drive into, at any height: also what ScanLimits says
+ * that it fits under. */
 struct Obstacle {
   enum class Kind {
     obstacle, /**< anything but the floor */
@@ -54,7 +55,9 @@ struct VirtualScan {
   float range_min = 0.f;
   float range_max = 0.f;
   /** ranges[i] is the distance in the xy plane of the base frame of the closest point
-   * whose direction is angle_min + i * angle_increment, rounded. As REP 117 of ROS has it,
+   * whose direction is angle_min + i * angle_increment, rounded; where columns of the
+   * image that an obstacle fills are more than a direction apart, the directions between them have
+   * the range of the column that is nearer in direction. As REP 117 of ROS has it,
    * infinite where no obstacle is seen, which includes directions outside of the image, and
    * negative infinity where that point is nearer than range_min. */
   std::vector<float> ranges;

@@ -36,7 +36,9 @@ namespace pcl {
  * sensor_origin_ is the place of the sensor, as CameraToBase sets it; a normal for each point,
  * the planes of the cloud, and the pose of its frame in the base frame (x forward, y left, z
  * up, the floor at z = 0), the identity for clouds of CameraToBase. NaN, Inf and (0, 0, 0) are
- * missing points. With indices, only these points are looked at.
+ * missing points. With indices, only these points are classified; all points of the planes tell
+ * where the floor is. Nothing is too high for an obstacle, as a lintel or a ceiling: only the
+ * virtual scan has a limit of height.
  *
  * The floor is the plane that is horizontal and at z = 0 within tolerances, near to z = 0, and
  * large, where near points count most; heights are measured from it, as the pose may be

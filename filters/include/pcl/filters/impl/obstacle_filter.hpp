@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/organized_view.h>
@@ -10,10 +11,12 @@
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <vector>
 
 namespace pcl {
 
@@ -66,11 +69,32 @@ template <typename PointT>
 void
 ObstacleFilter<PointT>::applyFilter (PointCloud& output)
 {
-  if (keep_organized_ || fake_indices_)
-    return FilterIndices<PointT>::applyFilter (output);
+  if (keep_organized_ || fake_indices_) {
+    FilterIndices<PointT>::applyFilter (output);
+    if (!fake_indices_)
+      removeOthers (output);
+    return;
+  }
   Indices indices;
   applyFilter (indices);
   rgbd_planes::copyPoints (*input_, indices, output);
+}
+
+/** Points that were not asked for get the user filter value, as FilterIndices gives removed
+ * ones. */
+template <typename PointT>
+void
+ObstacleFilter<PointT>::removeOthers (PointCloud& output) const
+{
+  std::vector<bool> is_asked_for (output.size(), false);
+  for (const pcl::index_t index : *indices_)
+    if (static_cast<std::size_t> (index) < output.size()) // the error was told
+      is_asked_for[static_cast<std::size_t> (index)] = true;
+  const PointXYZ removed (user_filter_value_, user_filter_value_, user_filter_value_);
+  for (std::size_t i = 0; i < output.size(); ++i)
+    if (!is_asked_for[i])
+      copyPoint (removed, output[i]);
+  output.is_dense = output.is_dense && std::isfinite (user_filter_value_);
 }
 
 } // namespace pcl
