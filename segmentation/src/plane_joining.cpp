@@ -27,6 +27,9 @@ constexpr double max_offset = 2.5, max_uncertainty = 0.5;
  * the larger and on the smaller part, and if their normals are within 10 degrees. */
 constexpr double max_bent_offset = 6., max_bent_uncertainty = 0.2,
                  max_bent_uncertainty_back = 1., min_bent_cosine = 0.985;
+/** Where the larger part is known to so much on the smaller one, and the smaller one no better
+ * than this on the larger one, only the plane of the larger one tells of a step. */
+constexpr double certain = 0.1, uncertain = 0.25;
 /** Less uncertainty than this part of the range is enough, however small that deviation is. */
 constexpr double enough_certainty = 0.0005;
 /** Strips are this many times as far from each other as they are wide. */
@@ -54,16 +57,28 @@ growth (const PlaneMoments& a, const PlaneMoments& b)
   return std::max (growthOf (a), growthOf (b));
 }
 
+/** The variance of where the plane of \a a meets the rays to \a b, as a part of the range. */
+double
+varianceAt (const PlaneMoments& a, const PlaneMoments& b)
+{
+  const Eigen::Vector3d mean = b.mean();
+  return mean.dot (a.second().inverse() * mean);
+}
+
+/** That of the points of \a b. */
+double
+varianceOf (const PlaneMoments& b)
+{
+  return static_cast<double> (b.points) / b.weight();
+}
+
 /** Whether it is certain, to so many standard deviations, where the plane of \a a meets the
  * rays to \a b. */
 bool
 isKnownAt (const PlaneMoments& a, const PlaneMoments& b, double uncertainty)
 {
-  const Eigen::Vector3d mean = b.mean();
-  const double variance = mean.dot (a.second().inverse() * mean);
-  const double of_points = static_cast<double> (b.points) / b.weight();
-  return variance <= std::max (uncertainty * uncertainty * of_points,
-                               enough_certainty * enough_certainty);
+  return varianceAt (a, b) <= std::max (uncertainty * uncertainty * varianceOf (b),
+                                        enough_certainty * enough_certainty);
 }
 
 /** Whether both may be of one surface that the error of depth bends, which has no step
@@ -71,14 +86,18 @@ isKnownAt (const PlaneMoments& a, const PlaneMoments& b, double uncertainty)
 bool
 bends (const PlaneMoments& larger, const PlaneMoments& smaller, double offset)
 {
+  const Eigen::Vector3d plane = larger.inverseDistance(),
+                        other = smaller.inverseDistance();
+  if (plane.dot (other) < min_bent_cosine * plane.norm() * other.norm())
+    return false;
+  if (varianceAt (larger, smaller) <= certain * certain * varianceOf (smaller) &&
+      varianceAt (smaller, larger) > uncertain * uncertain * varianceOf (larger))
+    return true;
   if (!isKnownAt (larger, smaller, max_bent_uncertainty) ||
       !isKnownAt (smaller, larger, max_bent_uncertainty_back))
     return false;
-  const Eigen::Vector3d plane = larger.inverseDistance(),
-                        other = smaller.inverseDistance();
   const double back = larger.meanError (other);
-  return plane.dot (other) >= min_bent_cosine * plane.norm() * other.norm() &&
-         (std::abs (back) <= max_offset || (back > 0.) == (offset > 0.));
+  return std::abs (back) <= max_offset || (back > 0.) == (offset > 0.);
 }
 
 /** Whether errors are so much larger than the model says that a plane does not take all. */

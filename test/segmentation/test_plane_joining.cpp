@@ -105,6 +105,20 @@ TEST (PlaneJoining, JoinsPartsOfASurfaceThatIsBent)
              (Planes{0, 1}));
 }
 
+/** As a floor, of which some is seen beside a table: what the bend of depth tilts. */
+TEST (PlaneJoining, JoinsSmallPartsBesideALargeOneThatIsKnownWell)
+{
+  for (const double offset : {-4., 4.}) {
+    EXPECT_EQ (planesOf ({squareAt (-0.3, 0.6), squareAt (0.5, 0.2, offset)}),
+               (Planes{0, 0}));
+    EXPECT_EQ (planesOf ({squareAt (-0.2, 0.4), squareAt (0.5, 0.2, offset)}),
+               (Planes{0, 1}));
+    // A step in it.
+    EXPECT_EQ (planesOf ({squareAt (-0.3, 0.6), squareAt (-0.3, 0.2, offset)}),
+               (Planes{0, 1}));
+  }
+}
+
 TEST (PlaneJoining, LeavesPartsThatMeetAtAnAngle)
 {
   const double noise = 10. * usual_noise;

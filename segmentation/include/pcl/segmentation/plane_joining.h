@@ -21,8 +21,8 @@ namespace rgbd_planes {
  * plane of the larger part must not miss the smaller one, where that plane is known well
  * enough to tell: tops of boxes far from each other stay planes of their own. It may miss it
  * by more where the error of depth bends a wall, but not as a step does: the planes of both
- * sides of a step see each other on opposite sides. A part joins the one larger than itself
- * that it fits best.
+ * sides of a step see each other on opposite sides, where the smaller one is known well enough.
+ * A part joins the one larger than itself that it fits best.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneJoining {
 public:
