@@ -13,10 +13,15 @@ install(FILES ${PROJECT_BINARY_DIR}/pcl_rgbd_planesConfig.cmake
 install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${config_dir}
         COMPONENT development)
 
-# Who gets the library gets its licence.
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+# Who gets the library gets its licence. CMAKE_INSTALL_DOCDIR is that of the project around it.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${PROJECT_NAME}
+        COMPONENT runtime)
 
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+set(pc_includedir ${CMAKE_INSTALL_INCLUDEDIR})
+if(NOT IS_ABSOLUTE ${CMAKE_INSTALL_INCLUDEDIR})
+  string(PREPEND pc_includedir "\${prefix}/")
+endif()
 if(NOT BUILD_SHARED_LIBS)
   set(pc_static_libs " -lhwy ${OpenMP_CXX_FLAGS}") # in Libs: there are no shared libraries to take
 endif()

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # build_consumer.sh find_package|habits|add_subdirectory|pkg_config SOURCE PREFIX LIBDIR: builds
 # the program of README.md against this project, installed to PREFIX, and runs it on a plane. With
-# add_subdirectory, libraries are static, and programs are built against them as installed as well.
+# add_subdirectory, libraries are static, and programs are built against them as installed as well,
+# to absolute paths.
 set -euo pipefail
 way=$1 source=$2 prefix=$3 libdir=$4
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work" "$work.headers"' EXIT
 
 # The first code block of README.md in a language.
 readme_block() {
@@ -32,10 +33,12 @@ case $way in
     cp "$source/test/consumers/add_subdirectory/CMakeLists.txt" "$work"
     cmake -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Release \
       -DPCL_RGBD_PLANES_SOURCE="$source" -DPCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES=ON \
-      -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_LIBDIR="$libdir" >"$work/log" 2>&1 ||
-      { cat "$work/log"; exit 1; }
+      -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_PREFIX="$work/static" \
+      -DCMAKE_INSTALL_LIBDIR="$work/static/$libdir" -DCMAKE_INSTALL_INCLUDEDIR="$work.headers" \
+      >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
     cmake --build "$work/build" --parallel 2
-    cmake --install "$work/build" --prefix "$work/static" >"$work/log"
+    cmake --install "$work/build" >"$work/log"
+    [ -e "$work/static/share/doc/pcl_rgbd_planes/LICENSE" ]
     for way in find_package pkg_config; do
       bash "$0" "$way" "$source" "$work/static" "$libdir"
     done
