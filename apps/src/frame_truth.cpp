@@ -5,6 +5,7 @@
 #include <pcl/apps/frame_truth.h>
 #include <pcl/apps/pcd_file.h>
 #include <pcl/conversions.h>
+#include <pcl/filters/camera_pose.h>
 
 #include <nlohmann/json.hpp>
 
@@ -52,17 +53,13 @@ toVector (const Json& json)
   return vector;
 }
 
-/** How far the length of a direction may be from 1. */
-constexpr float unit_tolerance = 1e-3f;
-
 Eigen::Affine3f
 toPose (const Json& json)
 {
   Eigen::Affine3f pose = Eigen::Affine3f::Identity();
   for (int row = 0; row < 3; ++row)
     pose.matrix().row (row) = toVector<4> (json.at (static_cast<std::size_t> (row)));
-  if (!pose.matrix().allFinite() || !pose.linear().isUnitary (unit_tolerance) ||
-      pose.linear().determinant() < 0.f)
+  if (!isRigid (pose))
     throw AppError ("a pose is no turn and shift");
   return pose;
 }
@@ -70,6 +67,7 @@ toPose (const Json& json)
 Eigen::Vector4f
 toPlane (const Json& json)
 {
+  constexpr float unit_tolerance = 1e-3f;
   const auto plane = toVector<4> (json);
   if (!plane.allFinite() ||
       !(std::fabs (plane.head<3>().norm() - 1.f) < unit_tolerance))

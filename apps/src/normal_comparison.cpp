@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
+#include <pcl/apps/measured_cloud.h>
 #include <pcl/apps/normal_comparison.h>
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
@@ -86,8 +87,7 @@ NormalComparison::run (Resolution& resolution, const Task& task)
     throw AppError (task.frame + ": has " + std::to_string (task.cloud->width) + " x " +
                     std::to_string (task.cloud->height) + " pixels as " + name +
                     ", and 40 x 40 are needed; use " +
-                    (resolution.step == 1 ? "" : "--resolution vga or ") +
-                    "larger frames");
+                    adviceForMorePixels (resolution.step));
   const bool has_truth = !task.is_edge.empty();
   const Normals& tangent = resolution.runners.front().normals;
   for (auto& [method, normals] : resolution.runners) {

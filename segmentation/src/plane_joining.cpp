@@ -57,44 +57,52 @@ growth (const PlaneMoments& a, const PlaneMoments& b)
   return std::max (growthOf (a), growthOf (b));
 }
 
-/** The variance of where the plane of \a a meets the rays to \a b, as a part of the range. */
-double
-varianceAt (const PlaneMoments& a, const PlaneMoments& b)
-{
-  const Eigen::Vector3d mean = b.mean();
-  return mean.dot (a.second().inverse() * mean);
-}
+/** How well it is known where the plane of a part meets the rays to another one. */
+class Certainty {
+public:
+  Certainty (const PlaneMoments& a, const PlaneMoments& b)
+  : of_points_ (static_cast<double> (b.points) / b.weight())
+  {
+    const Eigen::Vector3d mean = b.mean();
+    variance_ = mean.dot (a.second().inverse() * mean);
+  }
 
-/** That of the points of \a b. */
-double
-varianceOf (const PlaneMoments& b)
-{
-  return static_cast<double> (b.points) / b.weight();
-}
+  /** To so many standard deviations. */
+  bool
+  isWithin (double uncertainty) const
+  {
+    return variance_ <= uncertainty * uncertainty * of_points_;
+  }
 
-/** Whether it is certain, to so many standard deviations, where the plane of \a a meets the
- * rays to \a b. */
-bool
-isKnownAt (const PlaneMoments& a, const PlaneMoments& b, double uncertainty)
-{
-  return varianceAt (a, b) <= std::max (uncertainty * uncertainty * varianceOf (b),
-                                        enough_certainty * enough_certainty);
-}
+  /** To so many standard deviations, or to a small part of the range. */
+  bool
+  isEnough (double uncertainty) const
+  {
+    return isWithin (uncertainty) || variance_ <= enough_certainty * enough_certainty;
+  }
+
+private:
+  double of_points_;
+  double variance_;
+};
 
 /** Whether both may be of one surface that the error of depth bends, which has no step
  * between them: that is in front from one side and behind from the other. */
 bool
-bends (const PlaneMoments& larger, const PlaneMoments& smaller, double offset)
+bends (const PlaneMoments& larger,
+       const PlaneMoments& smaller,
+       const Certainty& at_smaller,
+       double offset)
 {
   const Eigen::Vector3d plane = larger.inverseDistance(),
                         other = smaller.inverseDistance();
   if (plane.dot (other) < min_bent_cosine * plane.norm() * other.norm())
     return false;
-  if (varianceAt (larger, smaller) <= certain * certain * varianceOf (smaller) &&
-      varianceAt (smaller, larger) > uncertain * uncertain * varianceOf (larger))
+  const Certainty at_larger (smaller, larger);
+  if (at_smaller.isWithin (certain) && !at_larger.isWithin (uncertain))
     return true;
-  if (!isKnownAt (larger, smaller, max_bent_uncertainty) ||
-      !isKnownAt (smaller, larger, max_bent_uncertainty_back))
+  if (!at_smaller.isEnough (max_bent_uncertainty) ||
+      !at_larger.isEnough (max_bent_uncertainty_back))
     return false;
   const double back = larger.meanError (other);
   return std::abs (back) <= max_offset || (back > 0.) == (offset > 0.);
@@ -124,11 +132,14 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
 {
   join (parts, [&] (std::size_t plane, std::size_t part) {
     const PlaneMoments &larger = planes_[plane], &smaller = parts[part];
-    if (!join_parts || !isKnownAt (larger, smaller, max_uncertainty))
+    if (!join_parts)
+      return 2.;
+    const Certainty at_smaller (larger, smaller);
+    if (!at_smaller.isEnough (max_uncertainty))
       return 2.;
     const double offset = smaller.meanError (larger.inverseDistance());
     const double offset_limit =
-        bends (larger, smaller, offset) ? max_bent_offset : max_offset;
+        bends (larger, smaller, at_smaller, offset) ? max_bent_offset : max_offset;
     if (!(std::abs (offset) <= offset_limit))
       return 2.;
     return std::max (growth (larger, smaller) / (max_growth * max_growth),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "true_edges.h"
+
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 
@@ -307,17 +309,8 @@ TEST (Simulate, TheFloorHasObstaclesFrom1CmTo1M)
 /** All surfaces of this scene are planes, so that labels tell them apart. */
 TEST (Simulate, EdgesAreWithin5PxOfAnotherSurface)
 {
-  constexpr int px = 5;
   const auto frame = simulate ("table_single", 2, Sensor::ideal);
-  const auto& truth = *frame.truth;
-  for (int v = px; v + px < 480; v += 3)
-    for (int u = px; u + px < 640; u += 3) {
-      bool expected = false;
-      for (int y = v - px; y <= v + px; ++y)
-        for (int x = u - px; x <= u + px; ++x)
-          expected |= truth (x, y).label != truth (u, v).label;
-      ASSERT_EQ (truth (u, v).edge, expected ? 1u : 0u) << u << " " << v;
-    }
+  expectEdgesBetween (*frame.truth, *frame.truth);
 }
 
 TEST (Simulate, AnUnknownSceneIsRefusedWithTheKnownOnes)

@@ -8,6 +8,7 @@
 #include <pcl/point_types.h>
 
 #include <cstdint>
+#include <string>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -16,6 +17,10 @@ namespace rgbd_planes {
  * a row or column. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 measuredCloud (const Frame& frame, std::uint32_t step, std::uint32_t min_pixels);
+
+/** \brief What to use where every step-th pixel are too few. */
+std::string
+adviceForMorePixels (std::uint32_t step);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -11,7 +11,6 @@
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -94,7 +93,6 @@ ObstacleFilter<PointT>::removeOthers (PointCloud& output) const
   for (std::size_t i = 0; i < output.size(); ++i)
     if (!is_asked_for[i])
       copyPoint (removed, output[i]);
-  output.is_dense = output.is_dense && std::isfinite (user_filter_value_);
 }
 
 } // namespace pcl
