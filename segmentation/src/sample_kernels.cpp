@@ -33,7 +33,8 @@ judgeSamplesHere (PlaneSamples& samples,
   samples.seeds.resize (samples.size());
   std::size_t seeds = 0;
   for (std::size_t i = 0; i < samples.size(); i += hn::Lanes (Floats())) {
-    const V squared_range = squaredLength (pointsAt (samples, i));
+    const Points points = pointsAt (samples, i), normals = normalsAt (samples, i);
+    const V squared_range = squaredLength (points);
     const Mask measured = hn::Gt (squared_range, hn::Zero (Floats()));
     const V range = hn::Sqrt (squared_range);
     const V sigma = sigmaOf (noise, squared_range);
@@ -46,12 +47,15 @@ judgeSamplesHere (PlaneSamples& samples,
                                     hn::Div (set (1.f), hn::Mul (relative, relative))),
                 Floats(),
                 &samples.weight[i]);
-    const V square = squaredLength (normalsAt (samples, i));
+    const V square = squaredLength (normals);
     const Mask has_normal =
         hn::And (hn::Gt (square, set (PlaneSamples::min_normal_square)),
                  hn::Lt (square, set (PlaneSamples::max_normal_square)));
+    // Sums of normals need one sign: towards the sensor.
+    const Mask faces_away = hn::Gt (dot (points, normals), hn::Zero (Floats()));
+    const V sign = hn::IfThenElse (faces_away, set (-1.f), set (1.f));
     for (auto* values : {&samples.normal_x, &samples.normal_y, &samples.normal_z})
-      hn::StoreU (hn::IfThenElseZero (has_normal, load (&(*values)[i])),
+      hn::StoreU (hn::IfThenElseZero (has_normal, hn::Mul (sign, load (&(*values)[i]))),
                   Floats(),
                   &(*values)[i]);
     const V curvature = load (&samples.curvature[i]);

@@ -103,6 +103,27 @@ TEST (CurvedPatches, PartsOfABallAreNoPlanes)
              without.rejections().curved + without.planes().size());
 }
 
+TEST (CurvedPatches, NormalsMayHaveAnySign)
+{
+  const auto ball = relief (
+      [] (float x, float y) { return 1.2f + 1.5f * (x * x + y * y); }, 160, 480);
+  const Normals::Ptr normals = estimateNormals (ball);
+  Ours segmentation;
+  segmentation.setInputCloud (ball);
+  segmentation.setInputNormals (normals);
+  Result facing, mixed;
+  segment (segmentation, facing);
+  const auto curved = segmentation.getRejections().curved;
+  EXPECT_GT (curved, 0u);
+  std::mt19937 random (1);
+  for (auto& normal : *normals)
+    if (random() % 2 == 0)
+      normal.getNormalVector3fMap() *= -1.f;
+  segment (segmentation, mixed);
+  expectSame (mixed, facing);
+  EXPECT_EQ (segmentation.getRejections().curved, curved);
+}
+
 TEST (CurvedPatches, FacesBetweenCreasesAreNone)
 {
   for (const float degrees : {-60.f, -40.f, -30.f, 30.f, 40.f, 60.f})

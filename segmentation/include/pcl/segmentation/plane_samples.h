@@ -113,7 +113,7 @@ public:
   /** Pixels between samples, samples and tiles along both axes. */
   int step = 1, width = 0, height = 0, tiles_u = 0, tiles_v = 0;
 
-  /** (0, 0, 0) where there is no point or normal. */
+  /** (0, 0, 0) where there is no point or normal; normals are towards the sensor. */
   std::vector<float> x, y, z, normal_x, normal_y, normal_z;
   /** That of the normals; anything where there is none. */
   std::vector<float> curvature;
