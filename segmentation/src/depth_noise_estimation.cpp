@@ -17,8 +17,9 @@ namespace {
 
 using rgbd_planes::OrganizedPoints;
 
-/** Along the longer side of the image; in pixels. */
-constexpr int blocks_in_a_line = 40, min_side = 8;
+/** Along the longer side of the image, and at least along the shorter one, for rows of laser
+ * scanners are few and far apart; in pixels. */
+constexpr int blocks_in_a_line = 40, blocks_across = 10, min_side = 8;
 constexpr double min_filled = 0.9;
 /** Cosine of the angle between the normal and the ray: flatter surfaces are left out. */
 constexpr double min_cosine = 0.5;
@@ -164,8 +165,9 @@ void
 DepthNoiseEstimation::addPoints (const OrganizedPoints& points)
 {
   ++frames_;
-  const int side =
-      std::max (min_side, std::max (points.width, points.height) / blocks_in_a_line);
+  const auto [shorter, longer] = std::minmax (points.width, points.height);
+  const int side = std::max (
+      min_side, std::min (longer / blocks_in_a_line, shorter / blocks_across));
   // Of a camera on its side, that is what is below.
   const bool is_beside = points.height > points.width;
   std::vector<std::optional<Block>> above (

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -127,6 +128,33 @@ TEST (DepthNoiseEstimation, ACameraMayBeOnItsSide)
   EXPECT_NEAR (noise.constant, expected.constant, 0.02f * expected.constant);
   EXPECT_NEAR (noise.quadratic, expected.quadratic, 0.02f * expected.quadratic);
   EXPECT_NEAR (noise.normal_scatter, expected.normal_scatter, 0.02f);
+}
+
+// Few rows see 90 degrees, so that blocks of a fortieth of the columns see floor, wall and
+// ceiling.
+TEST (DepthNoiseEstimation, RowsOfALaserScannerAreFew)
+{
+  constexpr float sigma = 0.01f;
+  std::mt19937 generator (1);
+  std::normal_distribution<float> gauss;
+  Cloud cloud (1024, 64);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto turn = static_cast<float> (2. * M_PI * (i % 1024) / 1024.),
+               slope = static_cast<float> (M_PI / 4. - M_PI / 2. * (i / 1024) / 63.);
+    const Eigen::Vector3f ray (std::cos (slope) * std::cos (turn),
+                               std::cos (slope) * std::sin (turn),
+                               std::sin (slope));
+    const float height = ray.z() > 0.f ? 1.f : 1.6f;
+    const float range =
+        std::min (height / std::abs (ray.z()),
+                  std::min (4.f / std::abs (ray.x()), 3.f / std::abs (ray.y())));
+    cloud[i].getVector3fMap() = (range + sigma * gauss (generator)) * ray;
+  }
+  DepthNoiseEstimation estimation;
+  estimation.addFrame (cloud);
+  const DepthNoise noise = estimate (estimation);
+  for (const float range : {1.5f, 2.f, 4.f})
+    EXPECT_NEAR (noise.sigma (range * range) / sigma, 2., 0.4) << range;
 }
 
 TEST (DepthNoiseEstimation, WithoutNoiseWhatNumbersAllow)

@@ -28,7 +28,7 @@ namespace pcl {
  * \endcode
  *
  * A plane is fitted to the inverse ranges in each small block of the image, a fortieth of its
- * longer side. Most blocks of a scene see one smooth surface, and leave the noise; at edges and
+ * longer side, or a tenth of the shorter one where that is less. Most blocks of a scene see one smooth surface, and leave the noise; at edges and
  * on small things they leave more. So the first quartile of blocks at similar ranges counts, and
  * twice that, for larger surfaces come out bent by as much again: on recordings of Kinects,
  * Xtions and a RealSense this gives what DepthNoise::kinectV1 () and activeStereo () have.
