@@ -275,6 +275,9 @@ TEST (DepthNoiseEstimation, BadInput)
   EXPECT_FALSE (estimation.addFrame (Cloud()));
   Cloud unorganized (100, 1);
   EXPECT_FALSE (estimation.addFrame (unorganized));
+  Cloud nowhere = *render ({tiltedPlane (1.f, 0.f, 20.f)}).cloud;
+  nowhere.sensor_origin_[1] = synthetic::nan;
+  EXPECT_FALSE (estimation.addFrame (nowhere));
   EXPECT_EQ (estimation.getNumberOfFrames(), 0u);
   EXPECT_TRUE (estimation.addFrame (Cloud (640, 480))); // all at (0, 0, 0)
   EXPECT_TRUE (estimation.addFrame (constant (640, 480, synthetic::nan)));

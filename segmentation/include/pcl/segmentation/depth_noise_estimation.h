@@ -51,14 +51,16 @@ public:
     float sigma;
   };
 
-  /** \brief Adds a frame; false after an error message where it is not organized or empty.
-   * \param[in] cloud in metres, with the place of the sensor as \c sensor_origin_
+  /** \brief Adds a frame; false after an error message where it is not organized or empty, or
+   * its \c sensor_origin_ is not finite.
+   * \param[in] cloud in metres, with the place of the sensor as \c sensor_origin_; in the frame of
+   * the camera where depth is told in steps, for only there the points of one step have one z
    */
   template <typename PointT>
   bool
   addFrame (const pcl::PointCloud<PointT>& cloud)
   {
-    const std::string fault = rgbd_planes::faultOfImage (cloud);
+    const std::string fault = rgbd_planes::faultOfInput (&cloud, nullptr);
     if (!fault.empty()) {
       PCL_ERROR ("[pcl::DepthNoiseEstimation::addFrame] %s\n", fault.c_str());
       return false;
