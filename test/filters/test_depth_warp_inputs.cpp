@@ -123,6 +123,8 @@ TEST (DepthWarpInputs, WhatHasNoDepthStays)
   const Eigen::Vector3f strange[] = {{not_a_number, not_a_number, not_a_number},
                                      {0.f, 0.f, 0.f},
                                      {0.1f, 0.1f, inf},
+                                     {not_a_number, 0.1f, 2.f},
+                                     {0.1f, -inf, 2.f},
                                      {0.1f, 0.2f, -3.f},
                                      {3.f, 2.f, 1e30f}};
   for (std::size_t i = 0; i < std::size (strange); ++i)

@@ -125,7 +125,8 @@ DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
     // Not of the output, for indices may be given twice.
     const Eigen::Map<const Eigen::Vector3f> p (&(*input_)[i].x);
     const float true_part = 1.f - warp[i] * p.z(); // of the inverse depth
-    if (p.z() > 0.f && true_part > 0.5f && true_part < 1.5f)
+    if (rgbd_planes::isMeasured (p.data()) && p.z() > 0.f && true_part > 0.5f &&
+        true_part < 1.5f)
       Eigen::Map<Eigen::Vector3f> (&output[i].x) = p / true_part;
   }
 }
