@@ -52,6 +52,8 @@ struct DepthNoise {
     return std::min (max_range * max_range, 1e18f);
   }
 
+  /** \brief The standard deviation in metres at the square root of \a squared_range, in
+   * metres^2. */
   float
   sigma (float squared_range) const
   {

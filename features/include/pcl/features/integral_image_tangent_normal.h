@@ -17,10 +17,10 @@ namespace pcl {
  *
  * A replacement for pcl::IntegralImageNormalEstimation that takes all of its setters,
  * so that swapping the type name is enough. Other than there, borders are on unless
- * switched off, setRectSize has an effect, and every valid point gets a normal, but in
- * interlaced clouds: where every second row or column is missing, or points form a
- * checkerboard, no point has a valid neighbour along one axis, and none gets a normal. Time is linear in the number of points
- * and hardly depends on the size of the smoothing area.
+ * switched off, setRectSize has an effect, and every valid point with a surface around it gets a
+ * normal. Interlaced clouds have none: where every second row or column is missing, or points
+ * form a checkerboard, no point has a valid neighbour along one axis. Time is linear in the
+ * number of points and hardly depends on the size of the smoothing area.
  *
  * -# Tangents are the differences between neighbouring points to the left and right, and
  *    above and below, where both lie on one surface: by a model of the noise of depth;
@@ -61,11 +61,11 @@ namespace pcl {
  *
  * Output and input may be the same cloud, which keeps its other fields; not with indices.
  *
- * A null, empty or unorganized cloud, an index outside of it, or indices where output and
- * input are the same cloud: an error message and an empty output. A cloud with measured
- * points of which none has a normal: a warning, once for frames in a row, unless they are less
- * than 1 % of all points or BORDER_POLICY_IGNORE is set. setKSearch,
- * setRadiusSearch, setSearchMethod and setSearchSurface have no effect. Nothing is
+ * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, an index outside of
+ * the cloud, or indices where output and input are the same cloud: an error message and an empty
+ * output. A cloud with measured points of which none has a normal: a warning, once for frames
+ * in a row, unless they are less than 1 % of all points or BORDER_POLICY_IGNORE is set.
+ * setKSearch, setRadiusSearch, setSearchMethod and setSearchSurface have no effect. Nothing is
  * allocated after the first of several clouds of the same size.
  *
  * Objects are copyable; several threads need one each.

@@ -21,8 +21,9 @@ namespace rgbd_planes {
  * (N x 1) when indices are given, in their order; header and pose of the sensor are
  * those of the input; \c is_dense tells whether all normals are valid; coordinates are
  * copied where PointOutT has them. Without indices, the output may be the input cloud. A
- * null cloud, an index outside of the cloud, indices where output and input are the same
- * cloud, or what an estimator refuses: one error message and an empty output (0 x 0).
+ * null cloud, a \c sensor_origin_ that is not finite, an index outside of the cloud, indices where
+ * output and input are the same cloud, or what an estimator refuses: one error message and an
+ * empty output (0 x 0).
  *
  * The neighbourhoods of Feature (setKSearch, setRadiusSearch, setSearchMethod) have no
  * effect: no search structure is built, and clouds need not be projective.

@@ -52,10 +52,11 @@ namespace pcl {
  * appended to, and carry the header of the input; their memory is used again, so that frames
  * like the one before allocate none.
  *
- * A null, empty or unorganized cloud, normals that are missing or of another size, or
- * an index outside of the cloud: an error message and empty outputs. All planes farther off
- * than 100 m, or none while no normal is of unit length: a warning, once for frames in a row.
- * What a setter cannot take: an error message, and the value before stays.
+ * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, normals that are
+ * missing or of another size, or an index outside of the cloud: an error message and empty
+ * outputs. All planes farther off than 100 m, or none while no normal is of unit length: a
+ * warning, once for frames in a row. What a setter cannot take: an error message, and the value
+ * before stays.
  *
  * \ingroup segmentation
  */
