@@ -42,8 +42,10 @@ main (int argc, char** argv)
 
   // [pose]
   pcl::CameraToBase<pcl::PointXYZ> to_base;
-  if (planes.empty() || !to_base.estimateFromFloor (planes.front()))
+  if (planes.empty() || !to_base.estimateFromFloor (planes.front())) {
+    std::fprintf (stderr, "No floor in sight.\n");
     return 1;
+  }
   // [/pose]
 
   // [detect]
