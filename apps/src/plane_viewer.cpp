@@ -33,6 +33,21 @@ constexpr char keys_help[] =
     "  shift and left click: what plane this is, here and on the terminal\n"
     "  mouse: left turns, middle moves, right or wheel zooms\n";
 
+/** Breaks lines at spaces, so that they fit into the window as it opens. */
+std::string
+wrap (std::string text)
+{
+  constexpr std::size_t columns = 110;
+  for (std::size_t begin = 0; text.size() - begin > columns;) {
+    const auto space = text.rfind (' ', begin + columns);
+    if (space == std::string::npos || space <= begin)
+      break;
+    text[space] = '\n';
+    begin = space + 1;
+  }
+  return text;
+}
+
 } // namespace
 
 std::string
@@ -280,7 +295,7 @@ PlaneViewer::statusText() const
   }
   text += "shown: " + layerNames (options_.layers) +
           (frame_.isCorrected() ? "   corrected" : "") + "   h: help";
-  return message_.empty() ? text : text + '\n' + message_;
+  return message_.empty() ? text : text + '\n' + wrap (message_);
 }
 
 } // namespace rgbd_planes

@@ -105,7 +105,7 @@ TEST_F (ViewerControlsTest, NothingIsSavedAmongTheInputs)
   viewer_ = std::make_unique<PlaneViewer> (options_);
   viewer_->show (viewer_scene::makeFrame());
   press ('s');
-  EXPECT_TRUE (says ("choose another folder"));
+  EXPECT_TRUE (says (": is the INPUT"));
   EXPECT_TRUE (listFolder (folder_.path()).empty());
 }
 

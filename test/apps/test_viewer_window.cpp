@@ -118,6 +118,9 @@ TEST_F (ViewerWindowTest, KeyHShowsHelpAndHidesIt)
   const Picture with_help = viewer_->window().picture();
   EXPECT_GT (difference (before, with_help, 0.7, 1.), 30.) << "on a dark ground";
   EXPECT_EQ (difference (before, with_help, 0., 0.2), 0.);
+  for (std::uint32_t v = 0; v < before.height; ++v)
+    EXPECT_TRUE (before (before.width - 1, v) == with_help (before.width - 1, v))
+        << "a line is cut in row " << v;
   press ('h');
   EXPECT_EQ (difference (before, viewer_->window().picture()), 0.);
   for (const auto& layer : viewer_layers)
@@ -196,6 +199,20 @@ TEST_F (ViewerWindowTest, AClickWithShiftTellsThePlane)
   EXPECT_NE (floor.find (", floor\n"), std::string::npos)
       << "12 pixels beside the box: " << floor;
   EXPECT_TRUE (says (", floor"));
+}
+
+TEST_F (ViewerWindowTest, LongMessagesAreBroken)
+{
+  const std::string name (60, 'x');
+  viewer_->show (viewer_scene::makeFrame (name));
+  const std::string told = shiftClick ({0.f, -0.7f, 3.f});
+  ASSERT_GT (told.size(), 110u);
+  EXPECT_EQ (told.find ('\n'), told.size() - 1) << "one line on the terminal";
+  const std::string shown = viewer_->status();
+  const auto message = shown.find ('\n' + name);
+  ASSERT_NE (message, std::string::npos);
+  EXPECT_LE (shown.find ('\n', message + 1) - message - 1, 110u);
+  EXPECT_TRUE (says (" wall"));
 }
 
 TEST_F (ViewerWindowTest, AClickWithShiftOnTheBackgroundTellsNothing)

@@ -37,8 +37,7 @@ constexpr std::array<ViewerLayer, 6> viewer_layers{
      {"normals", 'n', "lines that stand on the surfaces"},
      {"objects",
       'o',
-      "objects, their boxes (red: not graspable), hulls under them; with obstacles "
-      "only lines"},
+      "points, boxes (red: not graspable), hulls below; with obstacles only lines"},
      {"obstacles", 'b', "floor green, obstacles red to yellow, drop-offs blue"},
      {"scan", 'v', "virtual laser scan of the obstacles, yellow posts on the floor"}}};
 
