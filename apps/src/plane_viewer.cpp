@@ -96,6 +96,7 @@ PlaneViewer::printNotices() const
 {
   SegmenterOptions options;
   options.depth_noise = options_.depth_noise;
+  options.find_objects = options.find_obstacles = true;
   InputNotices notices (options);
   notices.add (frame_.frame(), frame_.summary());
   for (const auto& line : notices.lines())

@@ -26,7 +26,8 @@ constexpr App segment_planes{
     SEGMENT_PLANES, "--objects --obstacles --output DISK/out --json DISK/out.json"};
 constexpr App simulate_rgbd{
     SIMULATE_RGBD, "--output DISK/out", "table_single --resolution qqvga "};
-constexpr App plane_viewer{PLANE_VIEWER, "--frames 3 --screenshot DISK/out.png"};
+constexpr App plane_viewer{
+    PLANE_VIEWER, "--frames 3 --base-transform 0,0,1,0,0,0 --screenshot DISK/out.png"};
 #ifdef BENCHMARK
 constexpr App benchmark{BENCHMARK,
                         "--benchmark_filter=copy_floor/qqvga "

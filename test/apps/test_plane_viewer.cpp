@@ -97,7 +97,8 @@ protected:
 
   /** Is there all the time: Xvfb starts anew when its last client goes. */
   XClient person_;
-  const std::string camera_ = " --intrinsics 131,131,79.5,59.5 --depth-scale 1000 ";
+  const std::string intrinsics_ = " --intrinsics 131,131,79.5,59.5 --depth-scale 1000 ";
+  const std::string camera_ = intrinsics_ + "--base-transform 0,0,1,0,0,0 ";
   const std::string no_display_ = "env -u DISPLAY";
 };
 
@@ -109,6 +110,16 @@ TEST_F (PlaneViewerApp, ScreenshotsNeedNoDisplay)
   ASSERT_EQ (result.code, 0) << result.err;
   EXPECT_EQ (result.err, "");
   EXPECT_GT (percentOfFirstPlane ("seen.png"), 30.);
+}
+
+TEST_F (PlaneViewerApp, SaysWhereThePoseIsAGuess)
+{
+  const Outcome result = run ("1.png --screenshot seen.png" + intrinsics_);
+  ASSERT_EQ (result.code, 0) << result.err;
+  EXPECT_EQ (
+      result.err,
+      "pcl_plane_viewer: pose of the camera: estimated, in 1 from plane 0 as the "
+      "floor, at a distance of 1.50 m; --base-transform gives the true one\n");
 }
 
 TEST_F (PlaneViewerApp, SaysWhereACloudIsNotInTheFrameOfTheCamera)
