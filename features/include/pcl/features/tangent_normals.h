@@ -15,6 +15,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The settings of TangentNormals. */
 struct TangentNormalParameters {
   /** Size of the smoothing area in pixels. 0: 3/160 of the longer side of the image, at
    * least 4, which is best for Kinect recordings at full, half and quarter resolution. */

@@ -39,6 +39,7 @@ struct TangentGrid {
   /** The areas to choose from, from small to large. */
   std::array<Area, 4> areas;
   std::size_t number_of_areas = 1;
+  /** \brief In pixels. */
   struct Shift {
     int u = 1;
     int v = 1;

@@ -15,6 +15,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The settings of computeTwoRunNormals(). */
 struct TwoRunNormalParameters {
   /** The radius of the neighbourhood at distance z along the viewing axis. */
   std::function<float (float)> radius = [] (float z) { return 0.01f + 0.01f * z; };

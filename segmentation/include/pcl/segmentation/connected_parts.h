@@ -22,6 +22,7 @@ namespace rgbd_planes {
  */
 class PCL_RGBD_PLANES_EXPORTS ConnectedParts {
 public:
+  /** \brief A connected part of the pixels of one label. */
   struct Part {
     std::uint32_t label = 0;
     /** The first pixel of the part, row by row. */

@@ -23,6 +23,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The settings of ObstacleExtraction. */
 struct ObstacleParameters {
   Eigen::Affine3f camera_to_base = defaultCameraToBase();
   /** Largest angle between the normal of the floor and z of the base frame; radians. */

@@ -17,6 +17,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The settings of ObstaclePoints. */
 struct ObstaclePointParameters {
   DepthNoise noise = DepthNoise::kinectV1();
   /** Of the lowest obstacles that are told by their height, metres; those lower than three

@@ -29,6 +29,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** \brief The settings of PlaneExtraction. */
 struct PlaneExtractionParameters {
   /** Planes with fewer points are dropped. */
   unsigned min_inliers = 1000;
