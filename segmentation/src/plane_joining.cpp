@@ -125,26 +125,44 @@ widthOf (const PlaneMoments& points)
   return std::sqrt (12. * std::max (solver.eigenvalues()[1], 0.));
 }
 
+/** 0 where the smaller part lies perfectly on the plane of the larger one, up to 1 where it may
+ * be of that. */
+double
+mismatchOf (const PlaneMoments& larger, const PlaneMoments& smaller)
+{
+  const Certainty at_smaller (larger, smaller);
+  if (!at_smaller.isEnough (max_uncertainty))
+    return 2.;
+  const double offset = smaller.meanError (larger.inverseDistance());
+  const double offset_limit =
+      bends (larger, smaller, at_smaller, offset) ? max_bent_offset : max_offset;
+  if (!(std::abs (offset) <= offset_limit))
+    return 2.;
+  return std::max (growth (larger, smaller) / (max_growth * max_growth),
+                   std::abs (offset) / offset_limit);
+}
+
 } // namespace
 
 void
 PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
 {
-  join (parts, [&] (std::size_t plane, std::size_t part) {
-    const PlaneMoments &larger = planes_[plane], &smaller = parts[part];
-    if (!join_parts)
-      return 2.;
-    const Certainty at_smaller (larger, smaller);
-    if (!at_smaller.isEnough (max_uncertainty))
-      return 2.;
-    const double offset = smaller.meanError (larger.inverseDistance());
-    const double offset_limit =
-        bends (larger, smaller, at_smaller, offset) ? max_bent_offset : max_offset;
-    if (!(std::abs (offset) <= offset_limit))
-      return 2.;
-    return std::max (growth (larger, smaller) / (max_growth * max_growth),
-                     std::abs (offset) / offset_limit);
-  });
+  const auto joinOnce = [&] (const std::vector<PlaneMoments>& now) {
+    join (now, [&] (std::size_t plane, std::size_t part) {
+      return join_parts ? mismatchOf (planes_[plane], now[part]) : 2.;
+    });
+  };
+  joinOnce (parts);
+  // A plane of several parts is known better than those were.
+  for (std::size_t before = parts.size(); planes_.size() < before;) {
+    before = planes_.size();
+    joined_.swap (planes_);
+    joined_of_part_.swap (plane_of_part_);
+    joinOnce (joined_);
+    for (std::int32_t& plane : joined_of_part_)
+      plane = plane_of_part_[static_cast<std::size_t> (plane)];
+    joined_of_part_.swap (plane_of_part_);
+  }
 }
 
 void

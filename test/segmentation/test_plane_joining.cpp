@@ -119,6 +119,15 @@ TEST (PlaneJoining, JoinsSmallPartsBesideALargeOneThatIsKnownWell)
   }
 }
 
+/** As a floor in three parts, with things between them. */
+TEST (PlaneJoining, JoinsWhatIsOnlyKnownOnceOthersAreJoined)
+{
+  const PlaneMoments first = squareAt (0., 0.2), between = squareAt (0.4, 0.18),
+                     last = squareAt (0.9, 0.19);
+  EXPECT_EQ (planesOf ({first, last}), (Planes{0, 1}));
+  EXPECT_EQ (planesOf ({first, last, between}), (Planes{0, 0, 0}));
+}
+
 TEST (PlaneJoining, LeavesPartsThatMeetAtAnAngle)
 {
   const double noise = 10. * usual_noise;

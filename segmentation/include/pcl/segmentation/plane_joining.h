@@ -22,7 +22,8 @@ namespace rgbd_planes {
  * enough to tell: tops of boxes far from each other stay planes of their own. It may miss it
  * by more where the error of depth bends a wall, but not as a step does: the planes of both
  * sides of a step see each other on opposite sides, where the smaller one is known well enough.
- * A part joins the one larger than itself that it fits best.
+ * A part joins the one larger than itself that it fits best, and so do the planes of what was
+ * joined, until none fits any more.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneJoining {
 public:
@@ -81,6 +82,9 @@ private:
   std::vector<std::size_t> order_;
   std::vector<PlaneMoments> planes_;
   std::vector<std::int32_t> plane_of_part_;
+  /** What was joined before. */
+  std::vector<PlaneMoments> joined_;
+  std::vector<std::int32_t> joined_of_part_;
   /** Of parts that may be strips. */
   std::vector<double> widths_;
   std::vector<Between> between_;
