@@ -175,14 +175,14 @@ ObjectClusters::settle (std::uint32_t i, std::size_t base) const
 {
   const float* p = points_[i];
   if (bases_[base]->outline.contains (bases_[base]->project (p)))
-    return isUnder (base, p) ? outside : static_cast<Place> (above + base);
+    return static_cast<Place> (above + base);
   while (++base < bases_.size()) {
-    const Plane& plane = bases_[base]->plane;
-    const float height = heightAbove (*bases_[base], i / width_, i % width_);
-    if (!(std::fabs (height) <= parameters_.max_object_height))
+    const SupportPlane& support = *bases_[base];
+    const float height = heightAbove (support, i / width_, i % width_);
+    if (!(std::fabs (height) <= parameters_.max_object_height) ||
+        !support.surroundings.bounds().contains (support.project (p)))
       continue;
-    // Outside of the hull it makes no difference.
-    if (mayBeOnPlane (p, plane, height, parameters_))
+    if (mayBeOnPlane (p, support.plane, height, parameters_))
       return nowhere;
     if (height > 0.f)
       return settle (i, base);
@@ -201,16 +201,6 @@ ObjectClusters::settleBeside (std::uint32_t i) const
       return static_cast<Place> (above + base);
   }
   return outside;
-}
-
-bool
-ObjectClusters::isUnder (std::size_t base, const float* p) const
-{
-  return std::any_of (bases_.begin(),
-                      bases_.begin() + static_cast<std::ptrdiff_t> (base),
-                      [&] (const SupportPlane* higher) {
-                        return higher->outline.contains (higher->project (p));
-                      });
 }
 
 /** Over the plane as the camera bends it. */

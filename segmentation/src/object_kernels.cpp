@@ -59,18 +59,6 @@ struct Projected {
 
 using Supports = std::vector<const SupportPlane*>;
 
-/** The points that are clearly over plane \a number and under none before. */
-HWY_INLINE Mask
-isSurelyOver (const Supports& planes, std::size_t number, const Points& p)
-{
-  Mask is_sure =
-      Projected (*planes[number], p).isIn (planes[number]->outline.innerSides());
-  for (std::size_t k = 0; k < number; ++k)
-    is_sure = hn::AndNot (Projected (*planes[k], p).isIn (planes[k]->outline.bounds()),
-                          is_sure);
-  return is_sure;
-}
-
 /** As placeRow(), for some points of a block of row \a v. */
 HWY_INLINE I
 placesOf (const Points& p,
@@ -97,28 +85,29 @@ placesOf (const Points& p,
         is_open, hn::Le (hn::Abs (height), set (parameters.max_object_height)));
     if (hn::AllFalse (Floats(), is_near))
       continue;
+    const Projected projected (support, p);
+    const Mask is_here =
+        hn::And (is_near, projected.isIn (support.surroundings.bounds()));
+    if (hn::AllFalse (Floats(), is_here))
+      continue;
     // As mayBeOnPlane().
     const V rise = hn::Mul (noise, projection);
     const Mask is_within_noise = hn::Le (
         hn::Mul (hn::Mul (height, height), squared_range), hn::Mul (rise, rise));
     const Mask is_low =
         hn::Le (hn::Abs (height), set (0.5f * parameters.min_object_height));
-    const Mask is_on = hn::And (is_near, hn::Or (is_low, is_within_noise));
+    const Mask is_on = hn::And (is_here, hn::Or (is_low, is_within_noise));
     place = hn::IfThenZeroElse (hn::RebindMask (Ints(), is_on), place);
     is_open = hn::AndNot (is_on, is_open);
-    const Mask is_higher =
-        hn::And (hn::AndNot (is_on, is_near), hn::Gt (height, hn::Zero (Floats())));
-    if (hn::AllFalse (Floats(), is_higher))
-      continue;
-    const Mask is_above = hn::And (
-        is_higher, Projected (support, p).isIn (support.surroundings.bounds()));
+    const Mask is_above =
+        hn::And (hn::AndNot (is_on, is_here), hn::Gt (height, hn::Zero (Floats())));
     if (hn::AllFalse (Floats(), is_above))
       continue;
+    const Mask is_sure = projected.isIn (support.outline.innerSides());
     const int above = static_cast<int> (2 + number);
-    const auto sure_or_not =
-        hn::IfThenElse (hn::RebindMask (Ints(), isSurelyOver (planes, number, p)),
-                        hn::Set (Ints(), above),
-                        hn::Set (Ints(), above + maybe_above));
+    const auto sure_or_not = hn::IfThenElse (hn::RebindMask (Ints(), is_sure),
+                                             hn::Set (Ints(), above),
+                                             hn::Set (Ints(), above + maybe_above));
     place = hn::IfThenElse (hn::RebindMask (Ints(), is_above), sure_or_not, place);
     is_open = hn::AndNot (is_above, is_open);
   }

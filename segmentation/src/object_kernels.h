@@ -13,13 +13,12 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** Added to the place of a point that lies over the bounds of the outline of its plane, but may
- * be outside of the outline itself, or under a plane before. */
+/** Added to the place of a point that lies over the bounds of the surroundings of its plane, but
+ * may be outside of its outline. */
 constexpr std::uint8_t maybe_above = 128;
 
-/** For each measured point, the first of \a planes to which it is no further than the
- * largest height of an object, and over whose outline's bounds it lies if it does not lie on
- * the plane.
+/** For each measured point, the first of \a planes that it lies on or above, within the bounds
+ * of its surroundings and up to the largest height of an object.
  * \param[in] v the number of the row in the image, for the warp of the planes
  * \param[out] places 0 where the point is on that plane within noise, 1 where there is no
  * such plane, 2 + k where it is above the plane number k, \ref maybe_above more where

@@ -42,11 +42,10 @@ struct ObjectCluster {
  *
  * Planes on objects support nothing here. Things may reach beyond the hull, for they hide a
  * corner of the plane where they stand on it. Those that hang together with what lies further
- * outside, lower, or too high are no objects, nor is what goes on above most of its top, lies
- * under a higher supporting plane, such as the legs of a table, has its top hidden behind
- * something nearer, or stands where the plane ends and has its top cut by the image, such as
- * a wall. Things may touch a plane of the background, such as a wall, if they stand out from
- * it.
+ * outside, lower, or too high are no objects, nor is what goes on above most of its top, such as
+ * the legs of a table, has its top hidden behind something nearer, or stands where the plane
+ * ends and has its top cut by the image, such as a wall. Things may touch a plane of the
+ * background, such as a wall, if they stand out from it.
  */
 class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
 public:
@@ -139,9 +138,6 @@ private:
 
   float
   heightAbove (const SupportPlane& support, std::uint32_t v, std::uint32_t u) const;
-
-  bool
-  isUnder (std::size_t base, const float* p) const;
 
   void
   sumUp ();

@@ -65,9 +65,8 @@ struct SupportedObject {
  * plane where it stands at a corner, or sticks out. The points above, of other planes or none, are
  * clustered along the image. Heights are those above the points of the plane around, for cameras
  * bend planes. A point counts as being above only where depth noise does not explain it. What
- * continues further outside or higher up is no object (people, furniture), nor is what lies
- * under a higher supporting plane (legs of a table), on a plane much of which is elsewhere
- * (the wall behind a table), or mostly ends at something nearer above it in the image, for
+ * continues further outside or higher up is no object (people, legs of a table), nor is what lies
+ * on a plane much of which is elsewhere (the wall behind a table), or mostly ends at something nearer above it in the image, for
  * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
  * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
  * by five standard deviations of depth. A thing on a thing is one object with it, but for
