@@ -170,7 +170,8 @@ constexpr NamedScene scenes[] = {{"table_single", tableSingle},
                                  {"corridor", corridor},
                                  {"floor_obstacles", floorObstacles},
                                  {"worktop", worktop},
-                                 {"crockery", crockery}};
+                                 {"crockery", crockery},
+                                 {"shelf", shelf}};
 
 } // namespace
 

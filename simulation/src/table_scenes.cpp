@@ -23,6 +23,20 @@ sizeBetween (const Vector3f& low, const Vector3f& high, Random& random)
                   random.uniform (low.z(), high.z())};
 }
 
+/** Of a thing that needs a circle of this radius, within \a size around the origin. */
+Eigen::Affine3f
+takePose (FreeSpace& space, const Eigen::Vector2f& size, float radius, Random& random)
+{
+  constexpr float margin = 0.02f, half_gap = 0.015f;
+  const Eigen::Vector2f reach =
+      0.5f * size - Eigen::Vector2f::Constant (radius + margin);
+  const Eigen::Vector2f spot = space.take (radius + half_gap, [&] {
+    return Eigen::Vector2f{random.uniform (-reach.x(), reach.x()),
+                           random.uniform (-reach.y(), reach.y())};
+  });
+  return poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 1.57f)});
+}
+
 } // namespace
 
 Scene
@@ -141,14 +155,7 @@ crockery (Random& random)
                              {size.x(), size.y(), height});
   FreeSpace space;
   const auto poseFor = [&] (float radius) {
-    constexpr float margin = 0.02f, half_gap = 0.015f;
-    const Eigen::Vector2f reach =
-        0.5f * size - Eigen::Vector2f::Constant (radius + margin);
-    const Eigen::Vector2f spot = space.take (radius + half_gap, [&] {
-      return Eigen::Vector2f{random.uniform (-reach.x(), reach.x()),
-                             random.uniform (-reach.y(), reach.y())};
-    });
-    return top * poseAt ({spot.x(), spot.y(), 0.f, random.uniform (0.f, 1.57f)});
+    return top * takePose (space, size, radius, random);
   };
   std::uint32_t object = 0;
   for (int i = 0; i < 2; ++i) {
@@ -170,6 +177,43 @@ crockery (Random& random)
   }
   scene.setCamera ({{0.f, random.uniform (-0.1f, 0.1f), random.uniform (1.3f, 1.7f)},
                     {1.1f, random.uniform (-0.1f, 0.1f), height},
+                    random.uniform (-0.05f, 0.05f)});
+  return scene;
+}
+
+Scene
+shelf (Random& random)
+{
+  Scene scene;
+  const float wall = random.uniform (1.5f, 1.9f);
+  addRoom (scene, {{-1.5f, -2.2f, 0.f}, {wall, 2.2f, 2.6f}});
+  constexpr float thickness = 0.02f;
+  const Eigen::Vector2f size (0.35f, random.uniform (0.8f, 1.2f));
+  const float x = wall - 0.5f * size.x();
+  for (const float side : {-0.5f, 0.5f})
+    scene.addBox (poseAt ({x, side * (size.y() + thickness), 0.f, 0.f}),
+                  {size.x(), thickness, 1.8f},
+                  {steel});
+  std::uint32_t object = 0;
+  for (const float height : {0.4f, 0.75f, 1.1f}) {
+    scene.addBox (poseAt ({x, 0.f, height - thickness, 0.f}),
+                  {size.x(), size.y(), thickness},
+                  {steel});
+    FreeSpace space;
+    for (int i = 0; i < 5; ++i) {
+      const Vector3f thing =
+          sizeBetween ({0.05f, 0.05f, 0.06f}, {0.1f, 0.1f, 0.22f}, random);
+      const auto pose = poseAt ({x, 0.f, height, 0.f}) *
+                        takePose (space, size, 0.5f * thing.head<2>().norm(), random);
+      const Look look{strongColor (random), ++object};
+      if (i < 3)
+        scene.addBox (pose, thing, look);
+      else
+        scene.addCylinder (pose, 0.5f * thing.x(), thing.z(), look);
+    }
+  }
+  scene.setCamera ({{0.f, random.uniform (-0.2f, 0.2f), random.uniform (1.3f, 1.6f)},
+                    {wall, random.uniform (-0.1f, 0.1f), random.uniform (0.7f, 0.9f)},
                     random.uniform (-0.05f, 0.05f)});
   return scene;
 }

@@ -27,5 +27,9 @@ worktop (Random& random);
 Scene
 crockery (Random& random);
 
+/** \brief A shelf at a wall, with three boxes and two cylinders on each of its three boards. */
+Scene
+shelf (Random& random);
+
 } // namespace rgbd_planes
 } // namespace pcl
