@@ -21,10 +21,11 @@ constexpr double clear_of_min_points = 0.6;
 constexpr double clear_of_points = 0.25;
 /** A cluster that hangs together with the outside in more than a few points, at least two or a
  * part of min_points, and along more than a part of its width, the square root of its points,
- * is cut off from something larger. */
+ * is cut off from something larger; so is a strip that does so along half of its short side. */
 constexpr double few_leaks = 2.;
 constexpr double leaks_of_min_points = 0.1;
 constexpr double leaks_of_width = 0.1;
+constexpr double leaks_across = 0.5;
 /** What hangs together with a plane behind it stands out from that and from its support by
  * more than what the warp of a camera makes of planes, in standard deviations of depth. */
 constexpr float off_background_sigmas = 5.f;
@@ -279,9 +280,11 @@ bool
 ObjectClusters::isObject (const Sums& sums) const
 {
   const auto points = static_cast<double> (sums.points);
+  const double width = points / (sums.pixels.sizes().maxCoeff() + 1);
   const double max_leaks =
-      std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
-      leaks_of_width * std::sqrt (points);
+      std::min (std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
+                    leaks_of_width * std::sqrt (points),
+                leaks_across * width);
   return isLarge (sums) && isClear (sums) &&
          static_cast<double> (sums.points - sums.over_hull) <=
              (isTruncated (sums.at_border) ? max_leaks
