@@ -190,6 +190,15 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
             heightAbove (supports_->planes()[sums.support], j / width_, j % width_) >
                 parameters_.max_object_height);
   };
+  // The plane that others stand on, on top of furniture.
+  const auto isOnOther = [&] (std::uint32_t j) {
+    const SupportPlane& own = supports_->planes()[sums.support];
+    return place_[j] == nowhere && !is_background_[j] &&
+           !mayBeOnPlane (points_[j],
+                          own.plane,
+                          heightAbove (own, j / width_, j % width_),
+                          parameters_);
+  };
   visitMargin (run, [&] (std::uint32_t i) {
     bool leaks = false, is_at_background = false;
     const auto lookAt = [&] (std::ptrdiff_t step_to) {
@@ -222,7 +231,7 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
       return;
     ++sums.tops;
     sums.going_on += limit.allows (points_[i], points_[k])
-                         ? isOutside (k)
+                         ? isOutside (k) || isOnOther (k)
                          : squaredRange (points_[k]) < squaredRange (points_[i]);
   });
 }
