@@ -62,23 +62,22 @@ parseDepthScale (const std::string& text)
   return scale;
 }
 
-/** Words in lines of help_width columns, each after \a indent spaces. */
+} // namespace
+
 std::string
-wrap (const std::string& text, std::size_t indent)
+wrap (const std::string& text, std::size_t columns, std::size_t indent)
 {
   const std::string margin (indent, ' ');
   std::string lines, line = margin, word;
   for (std::istringstream words (text); words >> word;) {
-    if (line.size() + 1 + word.size() > help_width) {
+    if (line != margin && line.size() + 1 + word.size() > columns) {
       lines += line + '\n';
       line = margin;
     }
     line += (line == margin ? "" : " ") + word;
   }
-  return lines + line + '\n';
+  return lines + line;
 }
-
-} // namespace
 
 std::string
 inputHelp ()
@@ -96,8 +95,10 @@ inputHelp ()
                    boost::join (sceneNames(), ", ") +
                    "; SEED is 1 or what you say; frames with the same number CAMERA "
                    "share the smooth error of depth that a camera has",
+               help_width,
                20) +
-         R"(  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
+         R"(
+  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
                     recording FILE.oni
 )";
 }

@@ -4,6 +4,7 @@
 #include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_grabber.h>
 #include <pcl/apps/input_notices.h>
+#include <pcl/apps/input_options.h>
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/plane_report.h>
 #include <pcl/apps/plane_viewer.h>
@@ -33,20 +34,8 @@ constexpr char keys_help[] =
     "  shift and left click: what plane this is, here and on the terminal\n"
     "  mouse: left turns, middle moves, right or wheel zooms\n";
 
-/** Breaks lines at spaces, so that they fit into the window as it opens. */
-std::string
-wrap (std::string text)
-{
-  constexpr std::size_t columns = 110;
-  for (std::size_t begin = 0; text.size() - begin > columns;) {
-    const auto space = text.rfind (' ', begin + columns);
-    if (space == std::string::npos || space <= begin)
-      break;
-    text[space] = '\n';
-    begin = space + 1;
-  }
-  return text;
-}
+/** Of text in the window as it opens. */
+constexpr std::size_t columns = 110;
 
 } // namespace
 
@@ -296,7 +285,7 @@ PlaneViewer::statusText() const
   }
   text += "shown: " + layerNames (options_.layers) +
           (frame_.isCorrected() ? "   corrected" : "") + "   h: help";
-  return message_.empty() ? text : text + '\n' + wrap (message_);
+  return message_.empty() ? text : text + '\n' + wrap (message_, columns);
 }
 
 } // namespace rgbd_planes

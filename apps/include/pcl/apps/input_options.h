@@ -10,6 +10,7 @@
 #include <boost/program_options/variables_map.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 namespace pcl {
@@ -75,6 +76,10 @@ extern const char exit_help[];
 
 /** \brief Columns of --help. */
 constexpr unsigned help_width = 100;
+
+/** \brief Words in lines of so many columns, each after \a indent spaces. */
+std::string
+wrap (const std::string& text, std::size_t columns, std::size_t indent = 0);
 
 } // namespace rgbd_planes
 } // namespace pcl
