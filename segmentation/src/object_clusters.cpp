@@ -178,7 +178,7 @@ ObjectClusters::settle (std::uint32_t i, std::size_t base) const
     return static_cast<Place> (above + base);
   while (++base < bases_.size()) {
     const SupportPlane& support = *bases_[base];
-    const float height = heightAbove (support, i / width_, i % width_);
+    const float height = heightAbove (support, i);
     if (!(std::fabs (height) <= parameters_.max_object_height) ||
         !support.surroundings.bounds().contains (support.project (p)))
       continue;
@@ -195,7 +195,7 @@ ObjectClusters::Place
 ObjectClusters::settleBeside (std::uint32_t i) const
 {
   for (std::size_t base = 0; base < bases_.size(); ++base) {
-    const float height = heightAbove (*bases_[base], i / width_, i % width_);
+    const float height = heightAbove (*bases_[base], i);
     if (height > 0.f && height <= parameters_.max_object_height &&
         bases_[base]->surroundings.contains (bases_[base]->project (points_[i])))
       return static_cast<Place> (above + base);

@@ -183,21 +183,17 @@ ObjectClusters::countLeaksAndTops (const PointRun& run,
 {
   const std::ptrdiff_t step = stepUpwards (run.first);
   const std::ptrdiff_t side = step == 1 || step == -1 ? points_.width : 1;
+  const SupportPlane& own = supports_->planes()[sums.support];
   // What is level with another plane is nowhere, and yet may be too high.
   const auto isOutside = [&] (std::uint32_t j) {
     return place_[j] == outside ||
            (place_[j] == nowhere &&
-            heightAbove (supports_->planes()[sums.support], j / width_, j % width_) >
-                parameters_.max_object_height);
+            heightAbove (own, j) > parameters_.max_object_height);
   };
   // The plane that others stand on, on top of furniture.
   const auto isOnOther = [&] (std::uint32_t j) {
-    const SupportPlane& own = supports_->planes()[sums.support];
     return place_[j] == nowhere && !is_background_[j] &&
-           !mayBeOnPlane (points_[j],
-                          own.plane,
-                          heightAbove (own, j / width_, j % width_),
-                          parameters_);
+           !mayBeOnPlane (points_[j], own.plane, heightAbove (own, j), parameters_);
   };
   visitMargin (run, [&] (std::uint32_t i) {
     bool leaks = false, is_at_background = false;

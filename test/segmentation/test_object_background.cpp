@@ -32,6 +32,16 @@ turned (View view)
   return view;
 }
 
+/** These boxes are the objects of a view with \a noise. */
+void
+expectBoxes (const View& view, const std::vector<int>& boxes, float noise)
+{
+  const Objects objects = extract (view);
+  EXPECT_EQ (objects.size(), boxes.size()) << noise;
+  for (const int box : boxes)
+    EXPECT_GT (bestIou (objects, view, box), 0.8) << noise << " " << box;
+}
+
 } // namespace
 
 TEST (ObjectBackground, WallBehindATableIsNoObject)
@@ -74,10 +84,7 @@ TEST (ObjectBackground, ThingsOnAllBoardsOfAShelfAreObjects)
                              {{1.3f, 0.f, 0.8f}, size}},
                             {},
                             noise);
-    const Objects objects = extract (view);
-    EXPECT_EQ (objects.size(), 3u) << noise;
-    for (const int box : {3, 4, 5})
-      EXPECT_GT (bestIou (objects, view, box), 0.8) << noise << " " << box;
+    expectBoxes (view, {3, 4, 5}, noise);
   }
 }
 
@@ -106,10 +113,7 @@ TEST (ObjectBackground, ThingsAtAWallAreObjects)
                              onTable (1.53f, -0.3f, size)},
                             {},
                             noise);
-    const Objects objects = extract (view);
-    EXPECT_EQ (objects.size(), 3u) << noise;
-    for (const int box : {3, 4, 5})
-      EXPECT_GT (bestIou (objects, view, box), 0.8) << noise << " " << box;
+    expectBoxes (view, {3, 4, 5}, noise);
   }
 }
 

@@ -139,6 +139,12 @@ private:
   float
   heightAbove (const SupportPlane& support, std::uint32_t v, std::uint32_t u) const;
 
+  float
+  heightAbove (const SupportPlane& support, std::uint32_t i) const
+  {
+    return heightAbove (support, i / width_, i % width_);
+  }
+
   void
   sumUp ();
 
