@@ -25,6 +25,11 @@ constexpr double min_continued = 0.4;
 constexpr double min_turn = 0.1, min_turn_per_metre = 0.8;
 /** ... of which the patch turns this share per metre: what lies between creases does not. */
 constexpr double min_own_share = 0.35;
+/** Pipes and vaults turn this much per metre, as much on a patch as beside it but for this
+ * factor, and this much in all for each metre of range: a wall that the error of depth bends
+ * turns less, or turns back beside it. */
+constexpr double min_even_turn_per_metre = 0.4, max_uneven = 1.25,
+                 min_even_turn_of_range = 0.04;
 
 /** What of a tile hangs together with a plane, as the surface that goes on from it. */
 SamplesAtPlane
@@ -42,6 +47,38 @@ lookBeside (const PlaneSamples& samples,
 
 } // namespace
 
+/** How the normals of a plane turn, and those of the surface that goes on beside it, at what
+ * range. */
+struct CurvedPatches::Turn {
+  SurfaceTurn own, all;
+  double range;
+
+  bool
+  isThatOfPatch () const
+  {
+    return all.over_all > min_turn &&
+           (isEven() || (all.per_metre > min_turn_per_metre &&
+                         own.per_metre > min_own_share * all.per_metre));
+  }
+
+private:
+  bool
+  isEven () const
+  {
+    return all.per_metre > min_even_turn_per_metre &&
+           all.over_all > min_even_turn_of_range * range &&
+           own.per_metre < max_uneven * all.per_metre &&
+           all.per_metre < max_uneven * own.per_metre;
+  }
+};
+
+bool
+CurvedPatches::Border::isMostlyContinued() const
+{
+  return continued > 0 && static_cast<double> (continued) >=
+                              min_continued * static_cast<double> (samples);
+}
+
 void
 CurvedPatches::find (const PlaneSamples& samples,
                      const std::vector<std::int32_t>& owners,
@@ -49,37 +86,64 @@ CurvedPatches::find (const PlaneSamples& samples,
                      const std::vector<Plane>& planes,
                      const DepthNoise& tolerance)
 {
+  is_patch_.assign (planes.size(), 0);
+  const auto findWhere = [&] (const auto& goesOn, const auto& turns) {
+    countBorders (samples, parts, planes, tolerance, goesOn);
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      if (is_patch_[k] == 0 && borders_[k].isMostlyContinued())
+        is_patch_[k] = turns (turnAt (
+            samples, parts, static_cast<std::uint32_t> (k), planes[k], tolerance));
+  };
+  const auto ownersWhere = [&] (const TilePart& part, const auto& isWanted) {
+    return samplesWhere (&owners[part.tile * PlaneSamples::tile_size], isWanted);
+  };
+  findWhere (
+      [&] (const TilePart& part, const SamplesAtPlane& at) {
+        return at.along |
+               ownersWhere (part, [] (std::int32_t owner) { return owner < 0; });
+      },
+      [] (const Turn& turn) { return turn.isThatOfPatch(); });
+  if (std::find (is_patch_.begin(), is_patch_.end(), 1) == is_patch_.end())
+    return;
+  // What is left between patches is too small to turn much.
+  findWhere (
+      [&] (const TilePart& part, const SamplesAtPlane& at) {
+        return at.along & ownersWhere (part, [this] (std::int32_t owner) {
+                 return owner >= 0 && is_patch_[static_cast<std::size_t> (owner)] != 0;
+               });
+      },
+      [] (const Turn& turn) { return turn.all.per_metre > min_even_turn_per_metre; });
+}
+
+/** Counts samples beside planes, and those near enough to these for goesOn (part, at). */
+template <typename GoesOn>
+void
+CurvedPatches::countBorders (const PlaneSamples& samples,
+                             const std::vector<TilePart>& parts,
+                             const std::vector<Plane>& planes,
+                             const DepthNoise& tolerance,
+                             const GoesOn& goesOn)
+{
   borders_.assign (planes.size(), {});
   for (const TilePart& part : parts) {
     const unsigned beside = dilate (part.own) & ~part.own & 0xffffu;
     if (beside == 0)
       continue;
-    const unsigned free = samplesWhere (&owners[part.tile * PlaneSamples::tile_size],
-                                        [] (std::int32_t owner) { return owner < 0; });
     const SamplesAtPlane at =
         lookBeside (samples, part.tile, planes[part.plane], tolerance);
     Border& border = borders_[part.plane];
     border.samples += count (beside);
-    border.continued += count (beside & at.near & (free | at.along));
+    border.continued += count (beside & at.near & goesOn (part, at));
   }
-  is_patch_.resize (planes.size());
-  for (std::size_t k = 0; k < planes.size(); ++k)
-    is_patch_[k] = goesOnAndTurns (
-        samples, parts, static_cast<std::uint32_t> (k), planes[k], tolerance);
 }
 
-/** Whether the surface goes on beside the plane, and turns on both together. */
-bool
-CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
-                               const std::vector<TilePart>& parts,
-                               std::uint32_t number,
-                               const Plane& plane,
-                               const DepthNoise& tolerance)
+CurvedPatches::Turn
+CurvedPatches::turnAt (const PlaneSamples& samples,
+                       const std::vector<TilePart>& parts,
+                       std::uint32_t number,
+                       const Plane& plane,
+                       const DepthNoise& tolerance)
 {
-  const Border& border = borders_[number];
-  if (static_cast<double> (border.continued) <
-      std::max (min_continued * static_cast<double> (border.samples), 1.))
-    return false;
   findTiles (samples, parts, number);
   const Eigen::Vector3d reference =
       samples.measuredPoint (tiles_.front()).cast<double>();
@@ -98,11 +162,9 @@ CurvedPatches::goesOnAndTurns (const PlaneSamples& samples,
     const SamplesAtPlane at = lookBeside (samples, tile, plane, tolerance);
     return own_[tile] | (at.near & at.along);
   });
-  if (!(all.over_all > min_turn && all.per_metre > min_turn_per_metre))
-    return false;
   const SurfaceTurn own =
       turnWhere ([&] (std::uint32_t tile) -> unsigned { return own_[tile]; });
-  return own.per_metre > min_own_share * all.per_metre;
+  return {own, all, (reference + all.place).norm()};
 }
 
 /** The tiles of a plane, what it has in them, and the tiles around. */

@@ -46,7 +46,8 @@ turnOf (const double (&sums)[22], const Eigen::Vector3f& plane_normal)
   const Eigen::Vector2d direction (std::cos (angle), std::sin (angle));
   return {std::sqrt ((bend * spread * bend.transpose()).trace()),
           bend.norm(),
-          directions.transpose() * direction};
+          directions.transpose() * direction,
+          place};
 }
 
 } // namespace rgbd_planes

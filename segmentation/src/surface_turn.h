@@ -16,6 +16,8 @@ struct SurfaceTurn {
   double per_metre = 0.;
   /** Along which they turn the most, a unit vector. */
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+  /** Where the points are in the mean, from where their sums are taken. */
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
 /** \brief Fits the normals, seen along two directions in the plane with \a plane_normal, as

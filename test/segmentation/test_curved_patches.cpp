@@ -25,6 +25,16 @@ extractWith (const Cloud::ConstPtr& cloud, bool drop_patches)
   return extract (*cloud, *estimateNormals (cloud), additions);
 }
 
+/** The number of points on planes. */
+std::size_t
+labelled (const PlaneExtraction& extraction)
+{
+  const auto& labels = extraction.labels();
+  return labels.size() -
+         static_cast<std::size_t> (
+             std::count (labels.begin(), labels.end(), pcl::rgbd_planes::unlabelled));
+}
+
 std::size_t
 numberOfPlanes (const std::vector<Surface>& surfaces)
 {
@@ -89,18 +99,32 @@ TEST (CurvedPatches, PartsOfABallAreNoPlanes)
 {
   const auto ball = relief (
       [] (float x, float y) { return 1.2f + 1.5f * (x * x + y * y); }, 160, 480);
-  const auto labelled = [] (const PlaneExtraction& extraction) {
-    const auto& labels = extraction.labels();
-    return labels.size() -
-           static_cast<std::size_t> (
-               std::count (labels.begin(), labels.end(), pcl::rgbd_planes::unlabelled));
-  };
   const PlaneExtraction without = extractWith (ball, false),
                         with = extractWith (ball, true);
   EXPECT_GE (labelled (without), ball->size() / 4);
   EXPECT_LE (labelled (with), labelled (without) / 4);
   EXPECT_EQ (with.rejections().curved + with.planes().size(),
              without.rejections().curved + without.planes().size());
+}
+
+TEST (CurvedPatches, PartsOfTanksAndVaultsAreNoPlanes)
+{
+  // Upright cylinders of this radius, whose near or far side is 2.5 m away.
+  for (const float radius : {0.7f, 1.2f, 1.7f, 2.f})
+    for (const float side : {-1.f, 1.f}) {
+      const float axis = 2.5f - side * radius;
+      const auto wall = relief (
+          [=] (float x, float) {
+            const float a = 1.f + x * x, c = axis * axis - radius * radius;
+            return (axis + side * std::sqrt (axis * axis - a * c)) / a;
+          },
+          0,
+          640);
+      const std::size_t without = labelled (extractWith (wall, false)),
+                        with = labelled (extractWith (wall, true));
+      EXPECT_GE (without, wall->size() / 5) << radius << " m, " << side;
+      EXPECT_LE (with, without / 8) << radius << " m, " << side;
+    }
 }
 
 TEST (CurvedPatches, NormalsMayHaveAnySign)

@@ -20,7 +20,8 @@ namespace rgbd_planes {
  *
  * The normals of a patch hardly turn, but those of the surface do, and it goes on beside
  * the patch: samples there are free, or belong to patches with nearly the same normal,
- * and lie a little off its plane. Planes end at creases and edges of depth.
+ * and lie a little off its plane. Planes end at creases and edges of depth. What is left
+ * between patches is one, too.
  */
 class PCL_RGBD_PLANES_EXPORTS CurvedPatches {
 public:
@@ -48,14 +49,27 @@ private:
     std::size_t samples = 0;
     /** Those on which the surface goes on. */
     std::size_t continued = 0;
+
+    bool
+    isMostlyContinued () const;
   };
 
-  bool
-  goesOnAndTurns (const PlaneSamples& samples,
-                  const std::vector<TilePart>& parts,
-                  std::uint32_t number,
-                  const Plane& plane,
-                  const DepthNoise& tolerance);
+  struct Turn;
+
+  template <typename GoesOn>
+  void
+  countBorders (const PlaneSamples& samples,
+                const std::vector<TilePart>& parts,
+                const std::vector<Plane>& planes,
+                const DepthNoise& tolerance,
+                const GoesOn& goesOn);
+
+  Turn
+  turnAt (const PlaneSamples& samples,
+          const std::vector<TilePart>& parts,
+          std::uint32_t number,
+          const Plane& plane,
+          const DepthNoise& tolerance);
 
   void
   findTiles (const PlaneSamples& samples,
