@@ -229,6 +229,8 @@ TYPED_TEST (NormalEstimation, NormalsFaceTheViewpoint)
   estimation.setViewPoint (0.f, 0.f, 0.2f);
   expectViewpoint (0.f, 0.f, 0.2f);
   expectNormal (-1.f);
+  estimation.setViewPoint (0.f, std::numeric_limits<float>::quiet_NaN(), 0.f);
+  expectViewpoint (0.f, 0.f, 0.2f);
   estimation.useSensorOriginAsViewPoint();
   expectViewpoint (0.5f, 0.f, 3.f);
   expectNormal (1.f);

@@ -220,6 +220,17 @@ TEST (TwoRunNormal, RadiusGrowsAlongTheViewingAxis)
   EXPECT_TRUE (sameBits (estimate<Estimation> (in_camera), expected));
 }
 
+TEST (TwoRunNormal, AViewingAxisThatIsNotANumberIsTold)
+{
+  const Cloud::Ptr cloud =
+      synthetic::render ({tiltedPlane (1.f, 0.f, 0.f)}, 8, 8).cloud;
+  cloud->sensor_orientation_.x() = synthetic::nan;
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE (estimate<Estimation> (cloud).empty());
+  EXPECT_NE (testing::internal::GetCapturedStderr().find ("sensor_orientation_"),
+             std::string::npos);
+}
+
 TEST (TwoRunNormal, WhereTheSecondRunLeavesALineThePlaneOfTheFirstOneStands)
 {
   // Two points far off the plane that they make of a line do not count the second time.

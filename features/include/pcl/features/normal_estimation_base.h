@@ -37,13 +37,10 @@ public:
 
   /** \brief Normals face this point, in the frame and unit of the points. It tells
    * nothing else: ranges are distances from the sensor origin of the input, which has to be
-   * set in clouds that are not in the frame of their sensor, as CameraToBase does. */
+   * set in clouds that are not in the frame of their sensor, as CameraToBase does. One that is
+   * NaN: an error message, and the one before stays. */
   void
-  setViewPoint (float vpx, float vpy, float vpz)
-  {
-    viewpoint_ = {{vpx, vpy, vpz}};
-    use_sensor_origin_ = false;
-  }
+  setViewPoint (float vpx, float vpy, float vpz);
 
   /** \brief The viewpoint in use: the one set, or else the sensor origin of the input,
    * or else (0, 0, 0). */

@@ -40,10 +40,10 @@ namespace pcl {
  *
  * Output and input may be the same cloud, which keeps its other fields; not with indices.
  *
- * A null or empty cloud, an empty search surface, a \c sensor_origin_ that is not finite, an
- * index outside of the cloud, indices where output and input are the same cloud, an output that
- * is the search surface but not the input, or a window of pixels where there is no image: an
- * error message and an empty output.
+ * A null or empty cloud, an empty search surface, a \c sensor_origin_ or \c
+ * sensor_orientation_ that is not finite, an index outside of the cloud, indices where output
+ * and input are the same cloud, an output that is the search surface but not the input, or a
+ * window of pixels where there is no image: an error message and an empty output.
  *
  * \ingroup features
  */

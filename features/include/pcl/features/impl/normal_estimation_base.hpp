@@ -9,10 +9,30 @@
 #include <pcl/features/normal_estimation_base.h>
 #include <pcl/type_traits.h>
 
+#include <cmath>
 #include <cstdint>
 
 namespace pcl {
 namespace rgbd_planes {
+
+template <typename PointInT, typename PointOutT>
+void
+NormalEstimationBase<PointInT, PointOutT>::setViewPoint (float vpx,
+                                                         float vpy,
+                                                         float vpz)
+{
+  if (std::isnan (vpx) || std::isnan (vpy) || std::isnan (vpz)) {
+    PCL_ERROR ("[pcl::%s::setViewPoint] The viewpoint must be numbers, got %g, %g and "
+               "%g. Keeping the one before.\n",
+               feature_name_.c_str(),
+               vpx,
+               vpy,
+               vpz);
+    return;
+  }
+  viewpoint_ = {{vpx, vpy, vpz}};
+  use_sensor_origin_ = false;
+}
 
 template <typename PointInT, typename PointOutT>
 void

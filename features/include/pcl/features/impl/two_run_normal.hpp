@@ -115,6 +115,9 @@ TwoRunNormalEstimation<PointInT, PointOutT>::complaint() const
     return rgbd_planes::notFilled ("input", *input_);
   if (surface_ && !rgbd_planes::isFilled (*surface_))
     return rgbd_planes::notFilled ("search surface", *surface_);
+  if (!input_->sensor_orientation_.coeffs().allFinite())
+    return "The sensor_orientation_ of the input cloud is not finite: set it to the "
+           "rotation of the camera, the identity in its own frame.";
   if (parameters_.window_size > 0 && (surface_ || !input_->isOrganized()))
     return "A window of pixels needs an organized cloud (an image of points) and no "
            "search surface: call setWindowSize (0) for neighbours in space.";
