@@ -239,7 +239,10 @@ TEST (ObjectInputs, RefusesBadParameters)
   EXPECT_FLOAT_EQ (extraction.getHorizontalTolerance(), 0.26f);
   extraction.setPlaneHeights (1., 0.5);
   EXPECT_FLOAT_EQ (extraction.getMaxPlaneHeight(), 1.2f);
+  extraction.setPlaneHeights (-0.5, 1.2);
+  EXPECT_FLOAT_EQ (extraction.getMinPlaneHeight(), -0.5f);
   extraction.setGraspableSides (nan, 0.5);
+  extraction.setGraspableSides (-0.01, 0.5);
   EXPECT_FLOAT_EQ (extraction.getMaxGraspableSide(), 0.1f);
   extraction.setDepthNoise ({-0.001f, 0.002f});
   EXPECT_EQ (extraction.getDepthNoise().constant, 0.001f);

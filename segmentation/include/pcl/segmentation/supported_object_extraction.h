@@ -279,16 +279,18 @@ public:
     return parameters_.min_points;
   }
 
-  /** \brief What a gripper can grasp: the smallest side of a box; metres, default 0.01 to
-   * 0.1. */
+  /** \brief What a gripper can grasp: the smallest side of a box; metres, 0 or more,
+   * default 0.01 to 0.1. */
   void
   setGraspableSides (double smallest, double largest)
   {
-    setRange ("setGraspableSides",
-              smallest,
-              largest,
-              parameters_.min_graspable_side,
-              parameters_.max_graspable_side);
+    float side = parameters_.min_graspable_side;
+    if (setNumber ("setGraspableSides", smallest, side, rgbd_planes::Zero::allowed))
+      setRange ("setGraspableSides",
+                smallest,
+                largest,
+                parameters_.min_graspable_side,
+                parameters_.max_graspable_side);
   }
 
   double
@@ -361,14 +363,14 @@ protected:
   }
 
 private:
-  void
+  bool
   setNumber (const char* setter,
              double value,
              float& parameter,
              rgbd_planes::Zero zero,
              double max = rgbd_planes::any_finite)
   {
-    rgbd_planes::setParameter (
+    return rgbd_planes::setParameter (
         getClassName() + "::" + setter, value, parameter, zero, max);
   }
 
