@@ -177,6 +177,11 @@ TEST_F (ObstacleFilterTest, BadInputKeepsNothing)
   EXPECT_TRUE (kept().empty());
   filter_.setClasses (pcl::make_shared<Classes> (5, 2));
   EXPECT_TRUE (kept().empty());
+  auto other_shape = pcl::make_shared<Classes> (*classes_);
+  other_shape->width = 4;
+  other_shape->height = 3;
+  filter_.setClasses (other_shape);
+  EXPECT_TRUE (kept().empty());
   filter_.setClasses (classes_);
   EXPECT_EQ (kept().size(), 3u);
   filter_.setIndices (

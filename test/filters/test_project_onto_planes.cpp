@@ -253,6 +253,19 @@ TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
   projection.setPlanes ({model (wall)}, {indices ({0})});
   projection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{-1}));
   expectRefused ("An index lies outside of the input cloud: give indices from 0");
+  projection.setIndices (pcl::IndicesPtr());
+  const Cloud::Ptr lost = points();
+  lost->sensor_origin_.y() = std::numeric_limits<float>::quiet_NaN();
+  projection.setInputCloud (lost);
+  expectRefused ("The sensor_origin_ of the input cloud is not finite");
+  auto image = pcl::make_shared<Cloud> (2, 3), turned = pcl::make_shared<Cloud> (3, 2);
+  auto labels = pcl::make_shared<Labels> (3, 2);
+  projection.setPlanes ({model (wall)}, labels);
+  projection.setInputCloud (image);
+  expectRefused ("The input has 2 x 3 points and 3 x 2 labels");
+  projection.setInputCloud (turned);
+  projection.filter (output);
+  EXPECT_EQ (output.size(), 6u);
 }
 
 TEST (ProjectOntoPlanes, RayFactorsThatMakeNoSenseAreRefused)

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <vector>
 
 using namespace plane_clouds;
@@ -188,6 +187,17 @@ TEST (NormalSpacePlaneInterface, BadInputGivesAnErrorAndEmptyOutputs)
   EXPECT_TRUE (isRefused (segmentation)) << "no normals";
   segmentation.setInputNormals (pcl::make_shared<Normals> (64, 47));
   EXPECT_TRUE (isRefused (segmentation)) << "too few normals";
+  auto other_shape = pcl::make_shared<Normals> (*normals);
+  std::swap (other_shape->width, other_shape->height);
+  segmentation.setInputNormals (other_shape);
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE (isRefused (segmentation)) << "columns for rows";
+  EXPECT_NE (testing::internal::GetCapturedStderr().find (
+                 "has 64 x 48 points and 48 x 64 normals"),
+             std::string::npos);
+  other_shape->width = 64 * 48;
+  other_shape->height = 1;
+  EXPECT_FALSE (isRefused (segmentation)) << "a list in the order of the points";
   segmentation.setInputNormals (normals);
   segmentation.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{64 * 48}));
   EXPECT_TRUE (isRefused (segmentation)) << "index outside";

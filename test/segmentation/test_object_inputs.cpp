@@ -202,6 +202,10 @@ TEST (ObjectInputs, RefusesBadInput)
   fewer_normals.normals = pcl::make_shared<table_scenes::Normals> (*view.normals);
   fewer_normals.normals->points.pop_back();
   EXPECT_TRUE (extract (split, fewer_normals).empty());
+  View other_shape = view;
+  other_shape.normals = pcl::make_shared<table_scenes::Normals> (*view.normals);
+  std::swap (other_shape.normals->width, other_shape.normals->height);
+  EXPECT_TRUE (extract (split, other_shape).empty());
 }
 
 TEST (ObjectInputs, DefaultsAreThoseOfThePaper)

@@ -307,6 +307,16 @@ TEST (ObstacleInputs, BadInputGivesEmptyOutput)
   detection.setInputPlanes (scene.planes, nullptr);
   expectRefused ("no labels");
   setInput (detection, scene);
+  auto other_normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>> (*scene.normals);
+  std::swap (other_normals->width, other_normals->height);
+  detection.setInputNormals (other_normals);
+  expectRefused ("normals with columns for rows");
+  setInput (detection, scene);
+  auto other_labels = pcl::make_shared<pcl::PointCloud<pcl::Label>> (*scene.labels);
+  std::swap (other_labels->width, other_labels->height);
+  detection.setInputPlanes (scene.planes, other_labels);
+  expectRefused ("labels with columns for rows");
+  setInput (detection, scene);
   auto line = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (*scene.cloud);
   line->width = static_cast<std::uint32_t> (line->size());
   line->height = 1;

@@ -36,8 +36,9 @@ namespace pcl {
  * coordinates stay. With indices, only these points move. Output and input may be the same
  * cloud. Points without a measurement (NaN, Inf or (0, 0, 0)) and those of planes without
  * four finite coefficients and a normal stay. Labels of another size than the input, not one
- * list of inliers for each plane, or an index outside of the input: an error message and an
- * empty output. Without an input, after an error message of PCL, the output stays as it was.
+ * list of inliers for each plane, an index outside of the input, or a \c sensor_origin_ that is
+ * not finite: an error message and an empty output. Without an input, after an error message of
+ * PCL, the output stays as it was.
  *
  * \ingroup filters
  */

@@ -99,6 +99,28 @@ faultOfImage (const pcl::PointCloud<PointT>& cloud)
          "also remove the organization.";
 }
 
+/** \brief Whether there is one of \a others, as normals or labels, for each point of \a cloud:
+ * images of another shape have the same number in another order. */
+template <typename OtherT, typename PointT>
+bool
+areOfPoints (const pcl::PointCloud<OtherT>* others,
+             const pcl::PointCloud<PointT>& cloud)
+{
+  return others && others->size() == cloud.size() &&
+         (others->width == cloud.width || !others->isOrganized() ||
+          !cloud.isOrganized());
+}
+
+/** \brief How many points \a cloud has, for messages: 0 for null, 640 x 480 for an image. */
+template <typename PointT>
+std::string
+numberOfPoints (const pcl::PointCloud<PointT>* cloud)
+{
+  if (!cloud || !faultOfImage (*cloud).empty())
+    return std::to_string (cloud ? cloud->size() : 0);
+  return std::to_string (cloud->width) + " x " + std::to_string (cloud->height);
+}
+
 /** \brief What to tell a user whose \a cloud does not say where the sensor was; empty if it
  * does. */
 template <typename PointT>

@@ -25,10 +25,9 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
 {
   removed_indices_->clear();
   std::string fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
-  const std::size_t classes = classes_ ? classes_->size() : 0;
-  if (fault.empty() && classes != input_->size())
-    fault = "The input has " + std::to_string (input_->size()) + " points and " +
-            std::to_string (classes) +
+  if (fault.empty() && !rgbd_planes::areOfPoints (classes_.get(), *input_))
+    fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
+            " points and " + rgbd_planes::numberOfPoints (classes_.get()) +
             " classes: pass the classes of ObstacleDetection::detect for this cloud to "
             "setClasses.";
   if (!fault.empty()) {

@@ -40,9 +40,9 @@ std::string
 ProjectOntoPlanes<PointT>::faultOfPlanes() const
 {
   const std::size_t size = input_->size();
-  if (labels_ && labels_->size() != size)
-    return "The input has " + std::to_string (size) + " points and " +
-           std::to_string (labels_->size()) +
+  if (labels_ && !rgbd_planes::areOfPoints (labels_.get(), *input_))
+    return "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
+           " points and " + rgbd_planes::numberOfPoints (labels_.get()) +
            " labels: pass a label for each point to setPlanes.";
   if (!labels_ && inliers_.size() != planes_.size())
     return "There are " + std::to_string (planes_.size()) + " planes and " +
@@ -63,6 +63,8 @@ ProjectOntoPlanes<PointT>::assignPlanes()
 {
   const std::size_t size = input_->size();
   std::string fault = rgbd_planes::faultOfIndices (indices_.get(), size);
+  if (fault.empty())
+    fault = rgbd_planes::faultOfOrigin (*input_);
   if (fault.empty())
     fault = faultOfPlanes();
   if (!fault.empty()) {

@@ -46,10 +46,9 @@ bool
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 {
   std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
-  const std::size_t normals = normals_ ? normals_->size() : 0;
-  if (fault.empty() && normals != input_->size())
-    fault = "The input has " + std::to_string (input_->size()) + " points and " +
-            std::to_string (normals) +
+  if (fault.empty() && !rgbd_planes::areOfPoints (normals_.get(), *input_))
+    fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
+            " points and " + rgbd_planes::numberOfPoints (normals_.get()) +
             " normals: compute a normal for each point of the whole cloud and pass "
             "them to setInputNormals.";
   if (!fault.empty())

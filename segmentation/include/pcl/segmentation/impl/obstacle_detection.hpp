@@ -72,11 +72,11 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
   std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
   if (fault.empty())
     fault = rgbd_planes::faultOfIndices (excluded_.get(), input_->size());
-  const std::size_t normals = normals_ ? normals_->size() : 0;
-  const std::size_t labels = labels_ ? labels_->size() : 0;
-  if (fault.empty() && (normals != input_->size() || labels != input_->size()))
-    fault = "The input has " + std::to_string (input_->size()) + " points, " +
-            std::to_string (normals) + " normals and " + std::to_string (labels) +
+  if (fault.empty() && !(rgbd_planes::areOfPoints (normals_.get(), *input_) &&
+                         rgbd_planes::areOfPoints (labels_.get(), *input_)))
+    fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
+            " points, " + rgbd_planes::numberOfPoints (normals_.get()) +
+            " normals and " + rgbd_planes::numberOfPoints (labels_.get()) +
             " labels: pass a normal and a label for each point of the whole cloud to "
             "setInputNormals and setInputPlanes.";
   if (!fault.empty())

@@ -49,7 +49,7 @@ SupportedObjectExtraction<PointT, PointNT>::checkInput (
   if (!fault.empty())
     return complain (fault);
   if (parameters_.split_at_concave_edges &&
-      (!normals_ || normals_->size() != input_->size()))
+      !rgbd_planes::areOfPoints (normals_.get(), *input_))
     return complain (
         "Splitting at concave edges needs a normal for each point of the whole "
         "cloud: pass them to setInputNormals.");
