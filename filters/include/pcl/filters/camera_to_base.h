@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/camera_pose.h>
 #include <pcl/filters/filter.h>
+#include <pcl/filters/own_indices.h>
 #include <pcl/memory.h>
 #include <pcl/ModelCoefficients.h>
 
@@ -37,7 +38,8 @@ namespace pcl {
  * \ingroup filters
  */
 template <typename PointT>
-class PCL_RGBD_PLANES_EXPORTS CameraToBase : public Filter<PointT> {
+class PCL_RGBD_PLANES_EXPORTS CameraToBase
+: public rgbd_planes::OwnIndices<Filter<PointT>> {
   using Filter<PointT>::filter_name_;
   using Filter<PointT>::getClassName;
   using Filter<PointT>::indices_;

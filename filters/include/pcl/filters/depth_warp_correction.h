@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/depth_warp.h>
 #include <pcl/filters/filter.h>
+#include <pcl/filters/own_indices.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -53,7 +54,8 @@ namespace pcl {
  * \ingroup filters
  */
 template <typename PointT>
-class PCL_RGBD_PLANES_EXPORTS DepthWarpCorrection : public Filter<PointT> {
+class PCL_RGBD_PLANES_EXPORTS DepthWarpCorrection
+: public rgbd_planes::OwnIndices<Filter<PointT>> {
   using Filter<PointT>::filter_name_;
   using Filter<PointT>::getClassName;
   using Filter<PointT>::indices_;

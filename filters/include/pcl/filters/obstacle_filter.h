@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/filter_indices.h>
 #include <pcl/filters/obstacle_class.h>
+#include <pcl/filters/own_indices.h>
 #include <pcl/point_types.h>
 
 namespace pcl {
@@ -40,7 +41,8 @@ namespace pcl {
  * \ingroup filters
  */
 template <typename PointT>
-class PCL_RGBD_PLANES_EXPORTS ObstacleFilter : public FilterIndices<PointT> {
+class PCL_RGBD_PLANES_EXPORTS ObstacleFilter
+: public rgbd_planes::OwnIndices<FilterIndices<PointT>> {
   using Filter<PointT>::extract_removed_indices_;
   using Filter<PointT>::filter_name_;
   using Filter<PointT>::getClassName;
@@ -59,7 +61,7 @@ public:
   using Classes = pcl::PointCloud<pcl::Label>;
 
   explicit ObstacleFilter (bool extract_removed_indices = true)
-  : FilterIndices<PointT> (extract_removed_indices)
+  : rgbd_planes::OwnIndices<FilterIndices<PointT>> (extract_removed_indices)
   {
     filter_name_ = "ObstacleFilter";
   }

@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/set_parameter.h>
 #include <pcl/filters/filter.h>
+#include <pcl/filters/own_indices.h>
 #include <pcl/filters/plane_points.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/point_types.h>
@@ -43,7 +44,8 @@ namespace pcl {
  * \ingroup filters
  */
 template <typename PointT>
-class PCL_RGBD_PLANES_EXPORTS ProjectOntoPlanes : public Filter<PointT> {
+class PCL_RGBD_PLANES_EXPORTS ProjectOntoPlanes
+: public rgbd_planes::OwnIndices<Filter<PointT>> {
   using Filter<PointT>::filter_name_;
   using Filter<PointT>::getClassName;
   using Filter<PointT>::indices_;
