@@ -10,6 +10,7 @@
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace pcl {
@@ -161,6 +162,15 @@ additionsWithout (const std::string& list)
   return additions;
 }
 
+bool
+areSame (const Additions& a, const Additions& b)
+{
+  return std::all_of (
+      std::begin (all_additions), std::end (all_additions), [&] (const auto& addition) {
+        return a.*addition.switched_on == b.*addition.switched_on;
+      });
+}
+
 } // namespace
 
 FindPlanes
@@ -207,10 +217,15 @@ planeMethods (const std::vector<std::string>& without,
   std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}, noise),
                                    makeMethod ("pcl_omps", organizedMultiPlanes())};
   for (auto list = without.begin(); list != without.end(); ++list) {
-    if (std::find (without.begin(), list, *list) != list)
-      throw AppError ("--without: '" + *list + "' is given twice; leave one out");
-    methods.push_back (
-        normalSpaceMethod ("no_" + *list, additionsWithout (*list), noise));
+    const Additions additions = additionsWithout (*list);
+    const auto same = std::find_if (without.begin(), list, [&] (const auto& other) {
+      return areSame (additions, additionsWithout (other));
+    });
+    if (same != list)
+      throw AppError ("--without: '" + *list + "' is " +
+                      (*same == *list ? "given twice" : "the same as '" + *same + "'") +
+                      "; leave one out");
+    methods.push_back (normalSpaceMethod ("no_" + *list, additions, noise));
   }
   if (corrected)
     methods.push_back (correctedMethod (*corrected));

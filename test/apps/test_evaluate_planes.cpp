@@ -181,6 +181,8 @@ TEST_F (EvaluatePlanes, BadUsage)
   expectRefused ("sim:table_single --without ''", "''");
   expectRefused ("sim:table_single --without edges --without edges",
                  "'edges' is given twice");
+  expectRefused ("sim:table_single --without edges,peaks --without peaks,edges",
+                 "'peaks,edges' is the same as 'edges,peaks'");
   std::filesystem::create_directory (folder_ / "in");
   writeFile (folder_ / "in/frame.pcd",
              asciiPcd ("x y z", 2, 2, "0 0 1\n0 0 1\n0 0 1\n0 0 1\n"));
