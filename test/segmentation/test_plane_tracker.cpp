@@ -10,9 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
-#include <set>
 #include <utility>
 
 namespace {

@@ -8,7 +8,6 @@
 #include <pcl/segmentation/occlusion_steps.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace pcl {

@@ -7,7 +7,6 @@
 #include <pcl/segmentation/object_clusters.h>
 #include <pcl/segmentation/occlusion_steps.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
