@@ -33,22 +33,22 @@ case $way in
     cp "$source/test/consumers/add_subdirectory/CMakeLists.txt" "$work"
     cmake -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Release \
       -DPCL_RGBD_PLANES_SOURCE="$source" -DPCL_RGBD_PLANES_ONLY_CORE_POINT_TYPES=ON \
-      -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_PREFIX="$work/static" \
-      -DCMAKE_INSTALL_LIBDIR="$work/static/$libdir" -DCMAKE_INSTALL_INCLUDEDIR="$work.headers" \
+      -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_PREFIX="$work/static ones" \
+      -DCMAKE_INSTALL_LIBDIR="$work/static ones/$libdir" -DCMAKE_INSTALL_INCLUDEDIR="$work.headers" \
       >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
     cmake --build "$work/build" --parallel 2
     cmake --install "$work/build" >"$work/log"
-    [ -e "$work/static/share/doc/pcl_rgbd_planes/LICENSE" ]
+    [ -e "$work/static ones/share/doc/pcl_rgbd_planes/LICENSE" ]
     for way in find_package pkg_config; do
-      bash "$0" "$way" "$source" "$work/static" "$libdir"
+      bash "$0" "$way" "$source" "$work/static ones" "$libdir"
     done
     ;;
   pkg_config)
     mkdir "$work/build"
     export PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig
-    # shellcheck disable=SC2046,SC2086
-    c++ ${CXXFLAGS:-} "$work/planes.cpp" -o "$work/build/planes" \
-      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io)
+    # Spaces in paths are escaped for the shell.
+    eval "c++ ${CXXFLAGS:-} '$work/planes.cpp' -o '$work/build/planes' \
+      $(pkg-config --cflags --libs pcl_rgbd_planes pcl_io)"
     export LD_LIBRARY_PATH=$prefix/$libdir
     ;;
 esac
