@@ -169,25 +169,29 @@ ObjectClusters::settleRow (std::uint32_t first,
   }
 }
 
-/** The place of a point that may be above one of the bases, but above none before. */
+/** The place of a point that may be above one of the bases, or on a platform, but above none
+ * before. Beside a platform, what is as high as that may be of a thing on a lower base. */
 ObjectClusters::Place
 ObjectClusters::settle (std::uint32_t i, std::size_t base) const
 {
   const float* p = points_[i];
-  if (bases_[base]->outline.contains (bases_[base]->project (p)))
-    return static_cast<Place> (above + base);
-  while (++base < bases_.size()) {
+  bool is_beside_platform = false;
+  for (; base < bases_.size(); ++base) {
     const SupportPlane& support = *bases_[base];
     const float height = heightAbove (support, i);
     if (!(std::fabs (height) <= parameters_.max_object_height) ||
         !support.surroundings.bounds().contains (support.project (p)))
       continue;
-    if (mayBeOnPlane (p, support.plane, height, parameters_))
+    const bool is_on = mayBeOnPlane (p, support.plane, height, parameters_);
+    if (!is_on && height <= 0.f)
+      continue;
+    if (support.outline.contains (support.project (p)))
+      return is_on ? nowhere : static_cast<Place> (above + base);
+    if (is_on && !support.is_platform)
       return nowhere;
-    if (height > 0.f)
-      return settle (i, base);
+    is_beside_platform |= is_on;
   }
-  return settleBeside (i);
+  return is_beside_platform ? nowhere : settleBeside (i);
 }
 
 /** The place of a point that is over no hull. */

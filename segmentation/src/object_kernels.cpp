@@ -96,11 +96,17 @@ placesOf (const Points& p,
         hn::Mul (hn::Mul (height, height), squared_range), hn::Mul (rise, rise));
     const Mask is_low =
         hn::Le (hn::Abs (height), set (0.5f * parameters.min_object_height));
-    const Mask is_on = hn::And (is_here, hn::Or (is_low, is_within_noise));
+    const Mask is_level = hn::And (is_here, hn::Or (is_low, is_within_noise));
+    // Beside a platform, what is as high as that may be of a thing on a lower plane.
+    const Mask is_on =
+        support.is_platform
+            ? hn::And (is_level, projected.isIn (support.outline.innerSides()))
+            : is_level;
     place = hn::IfThenZeroElse (hn::RebindMask (Ints(), is_on), place);
     is_open = hn::AndNot (is_on, is_open);
     const Mask is_above =
-        hn::And (hn::AndNot (is_on, is_here), hn::Gt (height, hn::Zero (Floats())));
+        hn::And (hn::AndNot (is_on, is_here),
+                 hn::Or (is_level, hn::Gt (height, hn::Zero (Floats()))));
     if (hn::AllFalse (Floats(), is_above))
       continue;
     const Mask is_sure = projected.isIn (support.outline.innerSides());

@@ -22,7 +22,7 @@ constexpr std::uint8_t maybe_above = 128;
  * \param[in] v the number of the row in the image, for the warp of the planes
  * \param[out] places 0 where the point is on that plane within noise, 1 where there is no
  * such plane, 2 + k where it is above the plane number k, \ref maybe_above more where
- * that is not certain
+ * that is not certain, or where it may be on that plane, a platform
  * \param[out] has_above for each block of the row, 0 where no point is above a plane, 1 where
  * some are for certain, 2 where some may be
  */

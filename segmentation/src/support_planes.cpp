@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "platform.h"
+#include "point_sample.h"
 #include "row_corners.h"
-#include "spread_sample.h"
 
 #include <pcl/segmentation/support_planes.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -60,44 +62,6 @@ float
 sigmasFrom (const Plane& plane, const Eigen::Vector3f& p, const DepthNoise& noise)
 {
   return std::fabs (plane.distance (p.data())) / noise.sigma (p.squaredNorm());
-}
-
-/** Calls use (index) for some \a count of the inliers, evenly spread. */
-template <typename Use>
-void
-sampleIndices (const pcl::Indices& inliers, std::size_t count, const Use& use)
-{
-  SpreadSample sample (std::max<std::size_t> (inliers.size() / count, 1));
-  for (std::size_t i = sample.next(); i < inliers.size(); i = sample.next())
-    use (static_cast<std::size_t> (inliers[i]));
-}
-
-/** The same for runs. */
-template <typename Use>
-void
-sampleIndices (const std::vector<PointRun>& runs, std::size_t count, const Use& use)
-{
-  SpreadSample sample (std::max<std::size_t> (pointsOf (runs) / count, 1));
-  std::size_t i = sample.next(), begin = 0;
-  for (const PointRun& run : runs) {
-    for (; i < begin + run.length; i = sample.next())
-      use (run.first + (i - begin));
-    begin += run.length;
-  }
-}
-
-/** Calls use (p) for some \a count of the measured points of a thing, evenly spread. */
-template <typename Thing, typename Use>
-void
-samplePoints (const OrganizedPoints& points,
-              const Thing& thing,
-              std::size_t count,
-              const Use& use)
-{
-  sampleIndices (thing, count, [&] (std::size_t index) {
-    if (isMeasured (points[index]))
-      use (Eigen::Map<const Eigen::Vector3f> (points[index]));
-  });
 }
 
 struct Share {
@@ -158,7 +122,10 @@ SupportPlanes::compute (const OrganizedPoints& points,
     support.index = k;
     support.plane = plane;
     support.height = height;
-    outline (points, *planes[k].inliers, parameters, support);
+    support.axis_x = support.plane.normal.unitOrthogonal();
+    support.axis_y = support.plane.normal.cross (support.axis_x);
+    outline (points, *planes[k].inliers, {}, parameters, support, support.outline);
+    findSurroundings (parameters, support);
   }
   supports_.resize (count);
   std::sort (supports_.begin(), supports_.end(), [] (const auto& a, const auto& b) {
@@ -210,9 +177,34 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
                             });
       });
     };
-    supports_[k].is_on_object = isOnLower (Reach::surroundings).isMost() &&
-                                isOnLower (Reach::outline).isAtLeast (over_hull_share);
+    SupportPlane& support = supports_[k];
+    const bool is_on_lower = isOnLower (Reach::surroundings).isMost() &&
+                             isOnLower (Reach::outline).isAtLeast (over_hull_share);
+    support.is_platform =
+        is_on_lower &&
+        makePlatform (points, *planes[support.index].inliers, parameters, support);
+    support.is_on_object = is_on_lower && !support.is_platform;
   }
+}
+
+/** Gives it the outline of its main part, if that is one of a platform. */
+bool
+SupportPlanes::makePlatform (const OrganizedPoints& points,
+                             const pcl::Indices& inliers,
+                             const ObjectParameters& parameters,
+                             SupportPlane& support)
+{
+  if (!isLargerThanTops (support.outline, parameters.max_object_height))
+    return false;
+  MainPart part;
+  part.compute (points, inliers, support);
+  outline (points, inliers, part, parameters, support, main_outline_);
+  if (!isLargerThanTops (main_outline_, parameters.max_object_height) ||
+      !isClosed (points, inliers, support, main_outline_, parameters.noise))
+    return false;
+  std::swap (support.outline, main_outline_);
+  findSurroundings (parameters, support);
+  return true;
 }
 
 Plane
@@ -239,25 +231,34 @@ SupportPlanes::optimise (const OrganizedPoints& points,
   return m.allFinite() ? planeOf (m) : best;
 }
 
+/** The hull of the inliers that agree with the plane and are in a part of it. */
 void
 SupportPlanes::outline (const OrganizedPoints& points,
                         const pcl::Indices& inliers,
+                        const MainPart& part,
                         const ObjectParameters& parameters,
-                        SupportPlane& support)
+                        const SupportPlane& support,
+                        ConvexOutline& hull)
 {
-  support.axis_x = support.plane.normal.unitOrthogonal();
-  support.axis_y = support.plane.normal.cross (support.axis_x);
   border_.clear();
   const auto agrees = [&] (pcl::index_t index) {
     const float* p = points[static_cast<std::size_t> (index)];
-    return isMeasured (p) && sigmasFrom (support.plane,
-                                         Eigen::Map<const Eigen::Vector3f> (p),
-                                         parameters.noise) < refit_sigmas;
+    return isMeasured (p) &&
+           sigmasFrom (support.plane,
+                       Eigen::Map<const Eigen::Vector3f> (p),
+                       parameters.noise) < refit_sigmas &&
+           part.contains (support.project (p));
   };
   visitCornersOfRows (points, inliers, agrees, [&] (const float* p) {
     border_.push_back (support.project (p));
   });
-  support.outline.compute (border_, parameters.hull_tolerance);
+  hull.compute (border_, parameters.hull_tolerance);
+}
+
+void
+SupportPlanes::findSurroundings (const ObjectParameters& parameters,
+                                 SupportPlane& support)
+{
   border_ = support.outline.corners();
   support.surroundings.compute (border_,
                                 parameters.hull_tolerance + parameters.max_overhang);

@@ -21,6 +21,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
+class MainPart;
+
 /** \brief A plane as a segmentation found it. */
 struct SegmentedPlane {
   Plane plane;
@@ -39,6 +41,9 @@ struct SupportPlane {
   PlaneWarp warp;             /**< of planes that are not on an object */
   /** It lies on a thing that stands on another plane, like a lid. */
   bool is_on_object = false;
+  /** It lies low above another plane and is too large for the top of a thing: a step, a
+   * pallet, the lowest board of a shelf. */
+  bool is_platform = false;
 
   Eigen::Vector2f
   project (const float* p) const
@@ -139,13 +144,24 @@ private:
   void
   outline (const OrganizedPoints& points,
            const pcl::Indices& inliers,
+           const MainPart& part,
            const ObjectParameters& parameters,
-           SupportPlane& support);
+           const SupportPlane& support,
+           ConvexOutline& hull);
+
+  void
+  findSurroundings (const ObjectParameters& parameters, SupportPlane& support);
 
   void
   markPlanesOnObjects (const OrganizedPoints& points,
                        const std::vector<SegmentedPlane>& planes,
                        const ObjectParameters& parameters);
+
+  bool
+  makePlatform (const OrganizedPoints& points,
+                const pcl::Indices& inliers,
+                const ObjectParameters& parameters,
+                SupportPlane& support);
 
   void
   findBackground (const OrganizedPoints& points,
@@ -156,6 +172,7 @@ private:
   std::vector<SegmentedPlane> background_;
   RansacSample sample_;
   std::vector<Eigen::Vector2f> border_;
+  ConvexOutline main_outline_; // of a plane that may be a platform
 };
 
 } // namespace rgbd_planes

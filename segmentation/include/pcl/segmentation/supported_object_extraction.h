@@ -70,7 +70,9 @@ struct SupportedObject {
  * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
  * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
  * by five standard deviations of depth. A thing on a thing is one object with it, but for
- * setSplitAtConcaveEdges(). What is seen of a cup, a bowl, or a box without a lid on both sides of
+ * setSplitAtConcaveEdges(); steps, pallets and low boards are no things, but support some: level
+ * planes low above another one that are too large for the top of a thing, see
+ * setMaxObjectHeight(). What is seen of a cup, a bowl, or a box without a lid on both sides of
  * its rim is one object, and small parts beside a thing, such as handles, are of it if they neither
  * stand on the plane nor rest on the thing.
  *
@@ -179,7 +181,10 @@ public:
     return parameters_.max_plane_height;
   }
 
-  /** \brief Objects reach no higher above their plane; metres, more than 0, default 0.3. */
+  /** \brief Objects reach no higher above their plane; metres, more than 0, default 0.3. A level
+   * surface within that height above a plane is no top of an object, but supports objects, if it
+   * measures 2.8 times this from corner to corner and is 0.75 times this wide on average, 84 and
+   * 22 cm, without gaps of more than a tenth of it. */
   void
   setMaxObjectHeight (double height)
   {
