@@ -23,6 +23,8 @@ constexpr float max_bend_m = 0.03f;
 /** In the weighted mean, it bends parts of a floor by no more than so many standard deviations.
  * Those with a quarter of the points of the floor are too large for the top of a low thing. */
 constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
+/** If both are such parts of z = 0, it may bend one up and the other down. */
+constexpr float most_part_sigmas = 2.f * part_sigmas;
 /** Points of a level that are further from the floor are told from it one by one. */
 constexpr float level_sigmas = 8.f;
 /** Where planes meet in the image, the smooth error of depth is the same on both: unless there is
@@ -90,7 +92,7 @@ FloorPlane::find (const OrganizedPoints& points,
     largest_weight = weight;
   }
   if (found_)
-    compare (planes, noise, floor);
+    compare (planes, height, noise, floor);
   const bool is_above_zero = height[3] >= min_camera_height;
   reference_ = found_ || !is_above_zero ? coefficients_ : height;
 }
@@ -128,17 +130,21 @@ FloorPlane::sample (const OrganizedPoints& points,
 
 void
 FloorPlane::compare (const LabelledPlanes& planes,
+                     const Eigen::Vector4f& base_floor,
                      const DepthNoise& noise,
                      std::size_t floor)
 {
   for (std::size_t k = 0; k < samples_.size(); ++k)
     samples_[k].cosine = planes.coefficients[k].head<3>().dot (coefficients_.head<3>());
   for (const auto& point : points_) {
+    Samples& samples = samples_[point.plane];
+    const Eigen::Vector4f& plane = planes.coefficients[point.plane];
+    const float sigma = noise.sigma (squaredRange (point.point));
+    samples.sigmas_in_base +=
+        point.weight * heightOnRay (plane, base_floor, point.point) / sigma;
     if (point.plane == floor)
       continue;
-    Samples& samples = samples_[point.plane];
     const float height = heightAbove (coefficients_, point.point);
-    const float sigma = noise.sigma (squaredRange (point.point));
     const float height_sigma =
         std::sqrt (heightVariance (point.point, coefficients_[3], noise));
     const bool is_tilted = samples.cosine < max_cos_tilted;
@@ -148,12 +154,14 @@ FloorPlane::compare (const LabelledPlanes& planes,
     samples.off += std::abs (height) > limit;
     if (is_tilted)
       continue;
-    const float level =
-        heightOnRay (planes.coefficients[point.plane], coefficients_, point.point);
+    const float level = heightOnRay (plane, coefficients_, point.point);
     samples.level += point.weight * level;
     samples.sigmas += point.weight * level / sigma;
   }
   addSteps (noise, floor);
+  const auto isAtZero = [] (const Samples& samples) {
+    return std::abs (samples.sigmas_in_base) < part_sigmas * samples.weight;
+  };
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     Samples& samples = samples_[k];
     if (k == floor || samples.points == 0)
@@ -166,11 +174,15 @@ FloorPlane::compare (const LabelledPlanes& planes,
         samples.borders * samples.borders >= samples.points &&
         std::abs (samples.step) > step_sigmas * static_cast<float> (samples.borders);
     samples.is_other = is_tilted && 5 * samples.off > samples.points;
-    const bool is_near = is_tilted
-                             ? samples.cosine > min_cos_bent && !samples.is_other
-                             : sigmas < (is_large ? large_part_sigmas : part_sigmas);
+    const bool are_at_zero = isAtZero (samples_[floor]) && isAtZero (samples);
+    const float limit = !is_large     ? part_sigmas
+                        : are_at_zero ? most_part_sigmas
+                                      : large_part_sigmas;
+    const bool is_near =
+        is_tilted ? samples.cosine > min_cos_bent && !samples.is_other : sigmas < limit;
     samples.is_part = is_near && !is_step;
-    const bool is_level = !is_tilted && (is_step || sigmas >= large_part_sigmas) &&
+    const bool is_level = !is_tilted && !samples.is_part &&
+                          (is_step || sigmas >= large_part_sigmas) &&
                           samples.off < samples.points;
     samples.level = is_level ? samples.level / samples.weight : 0.f;
   }

@@ -102,8 +102,9 @@ isClosed (const OrganizedPoints& points,
           const ConvexOutline& hull,
           const DepthNoise& noise)
 {
-  const auto first = static_cast<std::size_t> (inliers.front());
-  const auto count = static_cast<std::size_t> (inliers.back()) + 1 - first;
+  const auto [lowest, highest] = std::minmax_element (inliers.begin(), inliers.end());
+  const auto first = static_cast<std::size_t> (*lowest);
+  const auto count = static_cast<std::size_t> (*highest) + 1 - first;
   SpreadSample sample (std::max<std::size_t> (count / sampled_rays, 1));
   std::size_t on = 0, through = 0;
   for (std::size_t k = sample.next(); k < count; k = sample.next()) {

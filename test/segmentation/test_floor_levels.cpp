@@ -62,6 +62,29 @@ TEST (FloorLevels, OnlyLargePiecesOfTheFloorMayBeBentMuch)
   }
 }
 
+TEST (FloorLevels, PiecesOfTheFloorThatTheErrorOfDepthBentApartAreFloor)
+{
+  const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);
+  // Three standard deviations of depth apart, and more at the near end. The error of depth may
+  // have moved both only if z = 0 is between them.
+  for (const float low : {-0.015f, 0.f}) {
+    Patch floor = floorAt (low), piece = floorAt (low + 0.03f);
+    floor.covers = [] (const Eigen::Vector3f& p) {
+      return p.y() < 0.1f && p.x() < 3.f;
+    };
+    piece.covers = [] (const Eigen::Vector3f& p) {
+      return p.y() > 0.4f && p.x() < 3.f;
+    };
+    const FloorScene scene ({floor, piece}, high, 320);
+    const Result result = detect (scene);
+    const double share_of_floor = share (scene, result, 1, 1, ObstacleClass::floor);
+    if (low < 0.f)
+      EXPECT_GT (share_of_floor, 0.85);
+    else
+      EXPECT_LT (share_of_floor, 0.1);
+  }
+}
+
 TEST (FloorLevels, APieceOfTheFloorThatTheErrorOfDepthTiltedIsFloorWhereItIsLow)
 {
   constexpr float edge = 0.8f;

@@ -88,6 +88,14 @@ TEST (Platforms, ThingsAsHighAsOneElsewhereDoNotWidenIt)
     EXPECT_GT (bestIou (objects, view, box), 0.8) << box;
 }
 
+TEST (Platforms, InliersInAnotherOrderDoNoHarm)
+{
+  View view = platformAmongThings (0.f);
+  auto& inliers = view.inliers[view.top.at (1)].indices;
+  std::reverse (inliers.begin(), inliers.end());
+  EXPECT_EQ (extract (view).size(), 4u);
+}
+
 TEST (Platforms, TopsOfLargeBoxesAreNone)
 {
   const Box large{{1.8f, 0.f, table_height}, {0.5f, 0.5f, 0.15f}};

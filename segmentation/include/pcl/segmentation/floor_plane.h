@@ -115,8 +115,9 @@ public:
    * it is not the floor that was found, there is no step where they meet in the image, and
    * either it is tilted against it by less than 5 degrees, and less than 1.75 standard
    * deviations of depth above or below, in the weighted mean of where its points are, or
-   * less than 2.7 if these are at least a quarter as many as those of the floor; or it is
-   * tilted by less than 26 degrees and does not differ. */
+   * less than 2.7 if these are at least a quarter as many as those of the floor, or 3.5 if
+   * both are also less than 1.75 from z = 0 of the base frame; or it is tilted by less than 26 degrees
+   * and does not differ. */
   bool
   isPart (std::uint32_t plane) const
   {
@@ -125,8 +126,8 @@ public:
 
   /** \brief How far above the floor a plane is that is another level near it: tilted
    * against it by less than 5 degrees, with a step where they meet or at least 2.7 standard
-   * deviations of depth above or below, in the weighted mean, and not by so much that each
-   * of its points tells. 0 for all other planes. */
+   * deviations of depth above or below, in the weighted mean, no part of it, and not so far
+   * that each of its points tells. 0 for all other planes. */
   float
   level (std::uint32_t plane) const
   {
@@ -149,8 +150,8 @@ private:
     // Sums of weights, and of weighted heights in the base frame.
     float weight = 0.f, height = 0.f;
     // Weighted sums of how far the plane is above the floor, in metres, then the level, and
-    // in standard deviations of depth.
-    float level = 0.f, sigmas = 0.f;
+    // in standard deviations of depth, in which also of how far it is above z = 0.
+    float level = 0.f, sigmas = 0.f, sigmas_in_base = 0.f;
     // Where the plane meets the floor in the image: how often that is sampled, and the sum
     // of how much higher it is there, in standard deviations of depth.
     std::size_t borders = 0;
@@ -174,7 +175,10 @@ private:
           const DepthNoise& noise);
 
   void
-  compare (const LabelledPlanes& planes, const DepthNoise& noise, std::size_t floor);
+  compare (const LabelledPlanes& planes,
+           const Eigen::Vector4f& base_floor,
+           const DepthNoise& noise,
+           std::size_t floor);
 
   /** Compares heights on both sides of the borders between the floor and other planes. */
   void
