@@ -223,12 +223,14 @@ ObstaclePoints::judgeCell (const ObstacleFrame& frame,
       if (classes[i] != ObstacleClass::floor)
         continue;
       const float* p = frame.points[i];
-      const float height = heightAbove (floor, p);
+      const std::uint32_t plane = frame.planes[i];
+      const bool is_part = frame.floor.isPart (plane);
+      float height = heightAbove (floor, p);
+      if (is_part) // which the error of depth may have raised
+        height = std::min (height, heightAbove (frame.planes.coefficients[plane], p));
       const float variance = heightVariance (p, floor[3], parameters_.noise);
       // The variance of depth is so many times that of height.
-      const float factor = frame.floor.isPart (frame.planes[i])
-                               ? squaredRange (p) / square (floor[3])
-                               : 1.f;
+      const float factor = is_part ? squaredRange (p) / square (floor[3]) : 1.f;
       // Below the floor, a tilted plane can only be one that grew too far.
       if ((is_high && square (mean_height) > factor * limit &&
            isHigh (height, factor * variance, parameters_)) ||

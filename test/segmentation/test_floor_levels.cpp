@@ -79,7 +79,7 @@ TEST (FloorLevels, PiecesOfTheFloorThatTheErrorOfDepthBentApartAreFloor)
     const Result result = detect (scene);
     const double share_of_floor = share (scene, result, 1, 1, ObstacleClass::floor);
     if (low < 0.f)
-      EXPECT_GT (share_of_floor, 0.85);
+      EXPECT_GT (share_of_floor, 0.99);
     else
       EXPECT_LT (share_of_floor, 0.1);
   }
