@@ -45,32 +45,17 @@ lookBeside (const PlaneSamples& samples,
                          least_cosine);
 }
 
+/** Whether normals turn on a patch and on all of its surface as those of pipes do. */
+bool
+turnsEvenly (const SurfaceTurn& own, const SurfaceTurn& all, double range)
+{
+  return all.per_metre > min_even_turn_per_metre &&
+         all.over_all > min_even_turn_of_range * range &&
+         own.per_metre < max_uneven * all.per_metre &&
+         all.per_metre < max_uneven * own.per_metre;
+}
+
 } // namespace
-
-/** How the normals of a plane turn, and those of the surface that goes on beside it, at what
- * range. */
-struct CurvedPatches::Turn {
-  SurfaceTurn own, all;
-  double range;
-
-  bool
-  isThatOfPatch () const
-  {
-    return all.over_all > min_turn &&
-           (isEven() || (all.per_metre > min_turn_per_metre &&
-                         own.per_metre > min_own_share * all.per_metre));
-  }
-
-private:
-  bool
-  isEven () const
-  {
-    return all.per_metre > min_even_turn_per_metre &&
-           all.over_all > min_even_turn_of_range * range &&
-           own.per_metre < max_uneven * all.per_metre &&
-           all.per_metre < max_uneven * own.per_metre;
-  }
-};
 
 bool
 CurvedPatches::Border::isMostlyContinued() const
@@ -86,33 +71,31 @@ CurvedPatches::find (const PlaneSamples& samples,
                      const std::vector<Plane>& planes,
                      const DepthNoise& tolerance)
 {
-  is_patch_.assign (planes.size(), 0);
-  const auto findWhere = [&] (const auto& goesOn, const auto& turns) {
-    countBorders (samples, parts, planes, tolerance, goesOn);
-    for (std::size_t k = 0; k < planes.size(); ++k)
-      if (is_patch_[k] == 0 && borders_[k].isMostlyContinued())
-        is_patch_[k] = turns (turnAt (
-            samples, parts, static_cast<std::uint32_t> (k), planes[k], tolerance));
-  };
   const auto ownersWhere = [&] (const TilePart& part, const auto& isWanted) {
     return samplesWhere (&owners[part.tile * PlaneSamples::tile_size], isWanted);
   };
-  findWhere (
-      [&] (const TilePart& part, const SamplesAtPlane& at) {
-        return at.along |
-               ownersWhere (part, [] (std::int32_t owner) { return owner < 0; });
-      },
-      [] (const Turn& turn) { return turn.isThatOfPatch(); });
+  const auto goesOn = [&] (const TilePart& part, const SamplesAtPlane& at) {
+    return at.along | ownersWhere (part, [] (std::int32_t owner) { return owner < 0; });
+  };
+  const auto goesOnInPatch = [&] (const TilePart& part, const SamplesAtPlane& at) {
+    return at.along & ownersWhere (part, [this] (std::int32_t owner) {
+             return owner >= 0 && is_patch_[static_cast<std::size_t> (owner)] != 0;
+           });
+  };
+  countBorders (samples, parts, planes, tolerance, goesOn);
+  turn_per_metre_.resize (planes.size());
+  is_patch_.resize (planes.size());
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    is_patch_[k] =
+        borders_[k].isMostlyContinued() &&
+        turns (samples, parts, static_cast<std::uint32_t> (k), planes[k], tolerance);
   if (std::find (is_patch_.begin(), is_patch_.end(), 1) == is_patch_.end())
     return;
   // What is left between patches is too small to turn much.
-  findWhere (
-      [&] (const TilePart& part, const SamplesAtPlane& at) {
-        return at.along & ownersWhere (part, [this] (std::int32_t owner) {
-                 return owner >= 0 && is_patch_[static_cast<std::size_t> (owner)] != 0;
-               });
-      },
-      [] (const Turn& turn) { return turn.all.per_metre > min_even_turn_per_metre; });
+  countBorders (samples, parts, planes, tolerance, goesOnInPatch);
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    if (borders_[k].isMostlyContinued() && turn_per_metre_[k] > min_even_turn_per_metre)
+      is_patch_[k] = 1;
 }
 
 /** Counts samples beside planes, and those near enough to these for goesOn (part, at). */
@@ -137,12 +120,14 @@ CurvedPatches::countBorders (const PlaneSamples& samples,
   }
 }
 
-CurvedPatches::Turn
-CurvedPatches::turnAt (const PlaneSamples& samples,
-                       const std::vector<TilePart>& parts,
-                       std::uint32_t number,
-                       const Plane& plane,
-                       const DepthNoise& tolerance)
+/** Whether a plane and the surface that goes on beside it turn as a patch does. Notes how much
+ * they turn per metre. */
+bool
+CurvedPatches::turns (const PlaneSamples& samples,
+                      const std::vector<TilePart>& parts,
+                      std::uint32_t number,
+                      const Plane& plane,
+                      const DepthNoise& tolerance)
 {
   findTiles (samples, parts, number);
   const Eigen::Vector3d reference =
@@ -162,9 +147,14 @@ CurvedPatches::turnAt (const PlaneSamples& samples,
     const SamplesAtPlane at = lookBeside (samples, tile, plane, tolerance);
     return own_[tile] | (at.near & at.along);
   });
+  turn_per_metre_[number] = all.per_metre;
+  if (!(all.over_all > min_turn))
+    return false;
   const SurfaceTurn own =
       turnWhere ([&] (std::uint32_t tile) -> unsigned { return own_[tile]; });
-  return {own, all, (reference + all.place).norm()};
+  return turnsEvenly (own, all, (reference + all.place).norm()) ||
+         (all.per_metre > min_turn_per_metre &&
+          own.per_metre > min_own_share * all.per_metre);
 }
 
 /** The tiles of a plane, what it has in them, and the tiles around. */

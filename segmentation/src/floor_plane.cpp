@@ -61,6 +61,10 @@ FloorPlane::find (const OrganizedPoints& points,
   for (const auto& point : points_) {
     Samples& samples = samples_[point.plane];
     samples.height += point.weight * heightAbove (height, point.point);
+    samples.sigmas_in_base +=
+        point.weight *
+        heightOnRay (planes.coefficients[point.plane], height, point.point) /
+        noise.sigma (squaredRange (point.point));
     samples.weight += point.weight;
     ++samples.points;
   }
@@ -92,7 +96,7 @@ FloorPlane::find (const OrganizedPoints& points,
     largest_weight = weight;
   }
   if (found_)
-    compare (planes, height, noise, floor);
+    compare (planes, noise, floor);
   const bool is_above_zero = height[3] >= min_camera_height;
   reference_ = found_ || !is_above_zero ? coefficients_ : height;
 }
@@ -130,21 +134,17 @@ FloorPlane::sample (const OrganizedPoints& points,
 
 void
 FloorPlane::compare (const LabelledPlanes& planes,
-                     const Eigen::Vector4f& base_floor,
                      const DepthNoise& noise,
                      std::size_t floor)
 {
   for (std::size_t k = 0; k < samples_.size(); ++k)
     samples_[k].cosine = planes.coefficients[k].head<3>().dot (coefficients_.head<3>());
   for (const auto& point : points_) {
-    Samples& samples = samples_[point.plane];
-    const Eigen::Vector4f& plane = planes.coefficients[point.plane];
-    const float sigma = noise.sigma (squaredRange (point.point));
-    samples.sigmas_in_base +=
-        point.weight * heightOnRay (plane, base_floor, point.point) / sigma;
     if (point.plane == floor)
       continue;
+    Samples& samples = samples_[point.plane];
     const float height = heightAbove (coefficients_, point.point);
+    const float sigma = noise.sigma (squaredRange (point.point));
     const float height_sigma =
         std::sqrt (heightVariance (point.point, coefficients_[3], noise));
     const bool is_tilted = samples.cosine < max_cos_tilted;
@@ -154,7 +154,8 @@ FloorPlane::compare (const LabelledPlanes& planes,
     samples.off += std::abs (height) > limit;
     if (is_tilted)
       continue;
-    const float level = heightOnRay (plane, coefficients_, point.point);
+    const float level =
+        heightOnRay (planes.coefficients[point.plane], coefficients_, point.point);
     samples.level += point.weight * level;
     samples.sigmas += point.weight * level / sigma;
   }

@@ -54,8 +54,6 @@ private:
     isMostlyContinued () const;
   };
 
-  struct Turn;
-
   template <typename GoesOn>
   void
   countBorders (const PlaneSamples& samples,
@@ -64,12 +62,12 @@ private:
                 const DepthNoise& tolerance,
                 const GoesOn& goesOn);
 
-  Turn
-  turnAt (const PlaneSamples& samples,
-          const std::vector<TilePart>& parts,
-          std::uint32_t number,
-          const Plane& plane,
-          const DepthNoise& tolerance);
+  bool
+  turns (const PlaneSamples& samples,
+         const std::vector<TilePart>& parts,
+         std::uint32_t number,
+         const Plane& plane,
+         const DepthNoise& tolerance);
 
   void
   findTiles (const PlaneSamples& samples,
@@ -83,6 +81,8 @@ private:
   std::vector<std::uint8_t> is_listed_;
   std::vector<std::uint16_t> own_;
   std::vector<float> weights_;
+  /** Of planes beside which the surface goes on: how much both turn. */
+  std::vector<double> turn_per_metre_;
   std::vector<std::uint8_t> is_patch_;
 };
 

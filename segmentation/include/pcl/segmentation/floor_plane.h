@@ -116,8 +116,8 @@ public:
    * either it is tilted against it by less than 5 degrees, and less than 1.75 standard
    * deviations of depth above or below, in the weighted mean of where its points are, or
    * less than 2.7 if these are at least a quarter as many as those of the floor, or 3.5 if
-   * both are also less than 1.75 from z = 0 of the base frame; or it is tilted by less than 26 degrees
-   * and does not differ. */
+   * both are also less than 1.75 from z = 0 of the base frame; or it is tilted by less
+   * than 26 degrees and does not differ. */
   bool
   isPart (std::uint32_t plane) const
   {
@@ -149,9 +149,11 @@ private:
     std::size_t off = 0; // above or below the floor
     // Sums of weights, and of weighted heights in the base frame.
     float weight = 0.f, height = 0.f;
+    // The same of how far the plane is above z = 0, in standard deviations of depth.
+    float sigmas_in_base = 0.f;
     // Weighted sums of how far the plane is above the floor, in metres, then the level, and
-    // in standard deviations of depth, in which also of how far it is above z = 0.
-    float level = 0.f, sigmas = 0.f, sigmas_in_base = 0.f;
+    // in standard deviations of depth.
+    float level = 0.f, sigmas = 0.f;
     // Where the plane meets the floor in the image: how often that is sampled, and the sum
     // of how much higher it is there, in standard deviations of depth.
     std::size_t borders = 0;
@@ -175,10 +177,7 @@ private:
           const DepthNoise& noise);
 
   void
-  compare (const LabelledPlanes& planes,
-           const Eigen::Vector4f& base_floor,
-           const DepthNoise& noise,
-           std::size_t floor);
+  compare (const LabelledPlanes& planes, const DepthNoise& noise, std::size_t floor);
 
   /** Compares heights on both sides of the borders between the floor and other planes. */
   void
