@@ -215,6 +215,11 @@ PlaneExtraction::joinParts()
                     owners_,
                     parts_,
                     moments_);
+    if (parameters_.additions.joining) {
+      joining_.computeSides (moments_, steps_.areSides());
+      if (joining_.planes().size() < moments_.size())
+        giveToJoined();
+    }
   }
   if (parameters_.additions.strips) {
     joining_.computeStrips (moments_);

@@ -166,6 +166,23 @@ PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
 }
 
 void
+PlaneJoining::computeSides (const std::vector<PlaneMoments>& parts,
+                            const std::vector<bool>& are_sides)
+{
+  const auto hasSide = [&] (std::size_t plane) {
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if (are_sides[part] && plane_of_part_[part] == static_cast<std::int32_t> (plane))
+        return true;
+    return false;
+  };
+  join (parts, [&] (std::size_t plane, std::size_t part) {
+    return are_sides[part] && hasSide (plane)
+               ? 2.
+               : mismatchOf (planes_[plane], parts[part]);
+  });
+}
+
+void
 PlaneJoining::computeStrips (const std::vector<PlaneMoments>& parts)
 {
   widths_.resize (parts.size());

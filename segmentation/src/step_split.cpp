@@ -81,6 +81,7 @@ StepSplit::compute (const PlaneSamples& samples,
 {
   const double large = large_share * samples.width * samples.height;
   const float unit = max_sigmas / reach;
+  are_sides_.assign (planes.size(), false);
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const bool is_large = static_cast<double> (planes[k].points) > large;
     const Limits limits = is_large ? Limits{1.15, 0.9, 3} : Limits{0.8, 0.95, 1};
@@ -126,7 +127,9 @@ StepSplit::splitOnce (const PlaneSamples& samples,
   if (owner == k) {
     owner = planes.size();
     planes.emplace_back();
+    are_sides_.emplace_back();
   }
+  are_sides_[owner] = are_sides_[k] = true;
   planes[owner] += sides[smaller];
   planes[k] = sides[1 - smaller];
   for (const SampleError& e : errors_)

@@ -194,6 +194,20 @@ TEST (PlaneJoining, JoinsNoisyPartsThatAlternateHereAndThere)
   EXPECT_EQ (planes (1., 1., 2), (Planes{0, 0}));
 }
 
+/** As a wall in two parts, and a curtain before it that lay on a plane with one of them. */
+TEST (PlaneJoining, JoinsSidesOfStepsWithOtherPartsOnly)
+{
+  const std::vector<PlaneMoments> parts{
+      squareAt (0., 0.6), squareAt (0.6, 0.4, 1.), squareAt (0.1, 0.3)};
+  PlaneJoining joining;
+  joining.computeSides (parts, {false, false, false});
+  EXPECT_EQ (joining.planeOfPart(), (Planes{0, 0, 0}));
+  joining.computeSides (parts, {true, true, false});
+  EXPECT_EQ (joining.planeOfPart(), (Planes{0, 1, 0}));
+  joining.computeSides (parts, {false, true, true});
+  EXPECT_EQ (joining.planeOfPart(), (Planes{0, 0, 1}));
+}
+
 TEST (PlaneJoining, LeavesPartsThatLieSideBySide)
 {
   EXPECT_EQ (planesWhere (0x3333, 0xcccc, 4.5), (Planes{0, 1}));

@@ -94,6 +94,7 @@ TEST_F (StepSplitTest, TheSmallerSideOfAStepBecomesAPlane)
   EXPECT_EQ (ownerIn (130), 1);
   EXPECT_NEAR (planes_[0].d, near_depth, 0.003f);
   EXPECT_NEAR (planes_[1].d, far_depth, 0.003f);
+  EXPECT_EQ (split_.areSides(), (std::vector<bool>{true, true}));
 }
 
 TEST_F (StepSplitTest, ASideThatLiesOnAnotherPlaneGoesThere)
@@ -111,6 +112,7 @@ TEST_F (StepSplitTest, APlaneWithoutAStepStays)
   look ({board (near_depth, 0, 160)}, 640);
   EXPECT_EQ (planes_.size(), 1u);
   EXPECT_EQ (std::count (owners_.begin(), owners_.end(), 1), 0);
+  EXPECT_EQ (split_.areSides(), std::vector<bool>{false});
 }
 
 /** Their errors may be those of the sensor. */

@@ -40,6 +40,14 @@ public:
   computeAlternating (const std::vector<PlaneMoments>& parts,
                       const std::vector<TilePart>& tile_parts);
 
+  /** \brief Joins the sides of steps, once they are known, with other parts, but not with each
+   * other: before, a plane across the step missed those.
+   * \param[in] are_sides for each part whether it is one
+   */
+  void
+  computeSides (const std::vector<PlaneMoments>& parts,
+                const std::vector<bool>& are_sides);
+
   /** \brief Joins strips, such as the front sides of two legs of a table, that lie apart:
    * how they are turned about their long sides is not known well enough to tell whether the
    * plane of one meets the other. */

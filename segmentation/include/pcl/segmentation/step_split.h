@@ -41,6 +41,13 @@ public:
            std::vector<TilePart>& parts,
            std::vector<PlaneMoments>& planes);
 
+  /** \brief For each plane whether it is the side of a step. */
+  const std::vector<bool>&
+  areSides () const
+  {
+    return are_sides_;
+  }
+
 private:
   struct Limits {
     double min_error; /**< of planes with steps */
@@ -65,6 +72,7 @@ private:
            const Eigen::Vector3d& m,
            float unit);
 
+  std::vector<bool> are_sides_;
   StepFinder finder_;
   std::vector<SampleError> errors_;
 };
