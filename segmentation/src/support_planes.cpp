@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <utility>
 
@@ -56,6 +57,11 @@ constexpr std::size_t decisive_sample = 100;
 constexpr double nearly_all = 0.9;
 /** A plane is of the background if so much of it is on no supporting one, nor above. */
 constexpr double background_share = 0.2;
+/** It is also if it goes on from one side of the image to the other: a wall of which too little is
+ * seen. That shows in so many points, and in so many parts of the image, of which those next to the
+ * border may have no points. Between things in a row there are gaps. */
+constexpr std::size_t across_sample = 1000;
+constexpr int parts_across = 60, margin = 3;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
 float
@@ -92,6 +98,25 @@ shareOf (const OrganizedPoints& points, const Thing& thing, const IsPart& is_par
     share.part += is_part (p.data());
   });
   return share;
+}
+
+/** Whether a plane goes on from one side of the image to the other. */
+bool
+goesAcross (const OrganizedPoints& points, const pcl::Indices& inliers)
+{
+  std::bitset<parts_across> columns, rows;
+  for (int i = 0; i < margin; ++i)
+    for (auto* parts : {&columns, &rows}) {
+      parts->set (static_cast<std::size_t> (i));
+      parts->set (static_cast<std::size_t> (parts_across - 1 - i));
+    }
+  const auto width = static_cast<std::size_t> (points.width),
+             height = static_cast<std::size_t> (points.height);
+  sampleIndices (inliers, across_sample, [&] (std::size_t index) {
+    columns.set (index % width * parts_across / width);
+    rows.set (index / width * parts_across / height);
+  });
+  return columns.all() || rows.all();
 }
 
 } // namespace
@@ -144,6 +169,12 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
                                const ObjectParameters& parameters)
 {
   background_.clear();
+  const auto supports = [&] (const SegmentedPlane& plane) {
+    return std::any_of (
+        supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+          return &planes[support.index] == &plane && !support.is_on_object;
+        });
+  };
   for (const auto& plane : planes) {
     const auto isAtOneOf = [&] (Reach reach) {
       return shareOf (points, *plane.inliers, [&] (const float* p) {
@@ -154,7 +185,8 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
       });
     };
     if (!isAtOneOf (Reach::surroundings).isAtLeast (1. - background_share) ||
-        !isAtOneOf (Reach::outline).isAtLeast (over_hull_share))
+        !isAtOneOf (Reach::outline).isAtLeast (over_hull_share) ||
+        (!supports (plane) && goesAcross (points, *plane.inliers)))
       background_.push_back (plane);
   }
 }

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 using namespace table_objects;
 
@@ -30,6 +32,31 @@ turned (View view)
   }
   view.camera_to_base = view.camera_to_base * turn.inverse();
   return view;
+}
+
+/** Gives those faces that lie in one plane to the first of them. */
+void
+joinFaces (View& view)
+{
+  std::map<std::vector<float>, std::size_t> first;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < view.models.size(); ++k) {
+    std::vector<float> rounded = view.models[k].values;
+    for (float& value : rounded)
+      value = std::round (1000.f * value);
+    const auto [plane, is_new] = first.emplace (rounded, count);
+    if (is_new) {
+      view.models[count] = view.models[k];
+      view.inliers[count++] = view.inliers[k];
+      continue;
+    }
+    auto& all = view.inliers[plane->second].indices;
+    const auto& more = view.inliers[k].indices;
+    all.insert (all.end(), more.begin(), more.end());
+    std::sort (all.begin(), all.end());
+  }
+  view.models.resize (count);
+  view.inliers.resize (count);
 }
 
 /** These boxes are the objects of a view with \a noise. */
@@ -115,6 +142,39 @@ TEST (ObjectBackground, ThingsAtAWallAreObjects)
                             noise);
     expectBoxes (view, {3, 4, 5}, noise);
   }
+}
+
+/** The image ends less than 30 cm above the table. */
+TEST (ObjectBackground, ThingsAtAWallOfWhichLittleIsSeenAreObjects)
+{
+  const Camera looks_down{1.3f, 0.7f};
+  const Box wide_table{{0.9f, 0.f, 0.66f}, {0.8f, 4.f, 0.04f}};
+  const Box wall{{1.35f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const Vector3f size (0.1f, 0.1f, 0.1f);
+  for (const float noise : {0.f, 0.5f, 1.f}) {
+    const View view = look ({floor_slab,
+                             wide_table,
+                             wall,
+                             onTable (1.25f, 0.2f, size),
+                             onTable (1.25f, -0.2f, size)},
+                            looks_down,
+                            noise);
+    expectBoxes (view, {3, 4}, noise);
+  }
+}
+
+/** Faces in one plane are one, from one side of the image to the other, with gaps. */
+TEST (ObjectBackground, FacesInARowAreNoWall)
+{
+  std::vector<Box> boxes{floor_slab, deep_table};
+  for (int i = -6; i <= 6; ++i)
+    boxes.push_back (
+        onTable (1.3f, 0.2f * static_cast<float> (i), {0.1f, 0.15f, 0.1f}));
+  View view = look (boxes);
+  joinFaces (view);
+  const Objects objects = extract (view);
+  for (const int in_the_middle : {7, 8, 9})
+    EXPECT_GT (bestIou (objects, view, in_the_middle), 0.9);
 }
 
 TEST (ObjectBackground, ThingsInACornerOfWallsAreObjects)

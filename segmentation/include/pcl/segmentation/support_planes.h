@@ -125,8 +125,8 @@ public:
     return supports_;
   }
 
-  /** \brief The planes many of whose points are neither on nor above a supporting one, such as
-   * walls. */
+  /** \brief The planes many of whose points are neither on nor above a supporting one, and those
+   * from one side of the image to the other, such as walls. */
   const std::vector<SegmentedPlane>&
   background () const
   {

@@ -66,8 +66,9 @@ struct SupportedObject {
  * clustered along the image. Heights are those above the points of the plane around, for cameras
  * bend planes. A point counts as being above only where depth noise does not explain it. What
  * continues further outside or higher up is no object (people, legs of a table), nor is what lies
- * on a plane much of which is elsewhere (the wall behind a table), or mostly ends at something nearer above it in the image, for
- * how high it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
+ * on a plane much of which is elsewhere, or which goes on from one side of the image to the other
+ * (the wall behind a table), or mostly ends at something nearer above it in the image, for how high
+ * it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
  * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
  * by five standard deviations of depth. A thing on a thing is one object with it, but for
  * setSplitAtConcaveEdges(); steps, pallets and low boards are no things, but support some: level
