@@ -24,9 +24,11 @@ echo "== Installing what is missing"
 bash "$root/scripts/install_dependencies.sh"
 
 echo "== Building (the first time takes a few minutes)"
-cmake -S "$root" --preset release >"$root/build.log" 2>&1 ||
+# CMake refuses to change the generator of a build folder.
+generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$root/build/CMakeCache.txt" 2>/dev/null || true)
+cmake -S "$root" --preset release ${generator:+-G "$generator"} >"$root/build.log" 2>&1 ||
   { cat "$root/build.log" >&2; exit 1; }
-cmake --build "$root/build" --target pcl_segment_planes
+cmake --build "$root/build" --parallel "$(nproc)" --target pcl_segment_planes
 rm -f "$root/build.log"
 
 output=$root/demo_output
