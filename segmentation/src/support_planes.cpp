@@ -11,6 +11,7 @@
 #include <array>
 #include <bitset>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace pcl {
@@ -60,7 +61,7 @@ constexpr double background_share = 0.2;
 /** It is also if it goes on from one side of the image to the other: a wall of which too little is
  * seen. That shows in so many points, and in so many parts of the image, of which those next to the
  * border may have no points. Between things in a row there are gaps. */
-constexpr std::size_t across_sample = 1000;
+constexpr std::size_t across_sample = 4000;
 constexpr int parts_across = 60, margin = 3;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
@@ -104,17 +105,20 @@ shareOf (const OrganizedPoints& points, const Thing& thing, const IsPart& is_par
 bool
 goesAcross (const OrganizedPoints& points, const pcl::Indices& inliers)
 {
+  if (inliers.size() < points.size() / parts_across)
+    return false;
   std::bitset<parts_across> columns, rows;
   for (int i = 0; i < margin; ++i)
     for (auto* parts : {&columns, &rows}) {
       parts->set (static_cast<std::size_t> (i));
       parts->set (static_cast<std::size_t> (parts_across - 1 - i));
     }
-  const auto width = static_cast<std::size_t> (points.width),
-             height = static_cast<std::size_t> (points.height);
+  const auto width = static_cast<std::uint32_t> (points.width),
+             height = static_cast<std::uint32_t> (points.height);
   sampleIndices (inliers, across_sample, [&] (std::size_t index) {
-    columns.set (index % width * parts_across / width);
-    rows.set (index / width * parts_across / height);
+    const auto i = static_cast<std::uint32_t> (index);
+    columns.set (i % width * parts_across / width);
+    rows.set (i / width * parts_across / height);
   });
   return columns.all() || rows.all();
 }
