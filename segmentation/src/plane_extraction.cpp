@@ -198,13 +198,16 @@ PlaneExtraction::growParts()
 void
 PlaneExtraction::joinParts()
 {
+  const auto giveIfJoined = [this] {
+    if (joining_.planes().size() < moments_.size())
+      giveToJoined();
+  };
   joining_.compute (growth_.moments(), parameters_.additions.joining);
   owners_ = growth_.owners();
   giveToJoined();
   if (parameters_.additions.joining) {
     joining_.computeAlternating (moments_, parts_);
-    if (joining_.planes().size() < moments_.size())
-      giveToJoined();
+    giveIfJoined();
   }
   if (parameters_.additions.steps) {
     const double min_side =
@@ -217,14 +220,12 @@ PlaneExtraction::joinParts()
                     moments_);
     if (parameters_.additions.joining) {
       joining_.computeSides (moments_, steps_.areSides());
-      if (joining_.planes().size() < moments_.size())
-        giveToJoined();
+      giveIfJoined();
     }
   }
   if (parameters_.additions.strips) {
     joining_.computeStrips (moments_);
-    if (joining_.planes().size() < moments_.size())
-      giveToJoined();
+    giveIfJoined();
   }
   planes_.clear();
   for (const PlaneMoments& moments : moments_)

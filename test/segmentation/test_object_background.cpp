@@ -69,6 +69,16 @@ expectBoxes (const View& view, const std::vector<int>& boxes, float noise)
     EXPECT_GT (bestIou (objects, view, box), 0.8) << noise << " " << box;
 }
 
+/** These boxes of \a scene are its objects, without noise and with some. */
+void
+expectBoxesInNoise (const std::vector<Box>& scene,
+                    const Camera& camera,
+                    const std::vector<int>& boxes)
+{
+  for (const float noise : {0.f, 0.5f, 1.f})
+    expectBoxes (look (scene, camera, noise), boxes, noise);
+}
+
 } // namespace
 
 TEST (ObjectBackground, WallBehindATableIsNoObject)
@@ -131,17 +141,14 @@ TEST (ObjectBackground, ThingsAtAWallAreObjects)
 {
   const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
   const Vector3f size (0.1f, 0.1f, 0.15f);
-  for (const float noise : {0.f, 0.5f, 1.f}) {
-    const View view = look ({floor_slab,
-                             table,
-                             wall,
-                             onTable (1.55f, 0.3f, size),
-                             onTable (1.545f, 0.f, size),
-                             onTable (1.53f, -0.3f, size)},
-                            {},
-                            noise);
-    expectBoxes (view, {3, 4, 5}, noise);
-  }
+  expectBoxesInNoise ({floor_slab,
+                       table,
+                       wall,
+                       onTable (1.55f, 0.3f, size),
+                       onTable (1.545f, 0.f, size),
+                       onTable (1.53f, -0.3f, size)},
+                      {},
+                      {3, 4, 5});
 }
 
 /** The image ends less than 30 cm above the table. */
@@ -151,16 +158,13 @@ TEST (ObjectBackground, ThingsAtAWallOfWhichLittleIsSeenAreObjects)
   const Box wide_table{{0.9f, 0.f, 0.66f}, {0.8f, 4.f, 0.04f}};
   const Box wall{{1.35f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
   const Vector3f size (0.1f, 0.1f, 0.1f);
-  for (const float noise : {0.f, 0.5f, 1.f}) {
-    const View view = look ({floor_slab,
-                             wide_table,
-                             wall,
-                             onTable (1.25f, 0.2f, size),
-                             onTable (1.25f, -0.2f, size)},
-                            looks_down,
-                            noise);
-    expectBoxes (view, {3, 4}, noise);
-  }
+  expectBoxesInNoise ({floor_slab,
+                       wide_table,
+                       wall,
+                       onTable (1.25f, 0.2f, size),
+                       onTable (1.25f, -0.2f, size)},
+                      looks_down,
+                      {3, 4});
 }
 
 /** Faces in one plane are one, from one side of the image to the other, with gaps. */

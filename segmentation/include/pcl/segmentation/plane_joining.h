@@ -40,8 +40,8 @@ public:
   computeAlternating (const std::vector<PlaneMoments>& parts,
                       const std::vector<TilePart>& tile_parts);
 
-  /** \brief Joins the sides of steps, once they are known, with other parts, but not with each
-   * other: before, a plane across the step missed those.
+  /** \brief Joins parts once more when the sides of steps are known, but those not with each
+   * other: before, a plane across the step missed other parts of its planes.
    * \param[in] are_sides for each part whether it is one
    */
   void
