@@ -20,6 +20,9 @@ namespace {
 constexpr float stretch = 3.f;
 constexpr float level_stretch = 1.5f;
 
+/** Gaps of a pixel without depth that are wider may be between two things, metres. */
+constexpr float widest_gap = 0.01f;
+
 /** A margin without depth is at most this part of the width of the image. */
 constexpr std::uint32_t margins = 20;
 
@@ -146,6 +149,21 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
                  runs_.bits());
     runs_.addRow (first);
   }
+  bridgeGaps (limit);
+}
+
+/** Depth that is registered with another camera has lines of single pixels without a measurement.
+ */
+void
+ObjectClusters::bridgeGaps (const LinkLimit& limit)
+{
+  runs_.bridge (width_, [&] (std::uint32_t before, std::uint32_t after) {
+    const Eigen::Map<const Eigen::Vector3f> p (points_[before]), q (points_[after]);
+    return place_[before] == place_[after] &&
+           !isMeasured (points_[before + (after - before) / 2]) &&
+           (p - q).squaredNorm() < widest_gap * widest_gap &&
+           limit.allows (q.data(), p.data());
+  });
 }
 
 /** Decides where the points of a row are that may be above one of the bases. */

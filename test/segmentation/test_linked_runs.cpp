@@ -17,7 +17,7 @@ namespace {
 /** Whether points are of runs, and close to those to the left and above. */
 struct Image {
   std::size_t width, height;
-  std::vector<bool> inside, to_left, to_above;
+  std::vector<bool> inside, to_left, to_above, can_bridge;
 
   Image (std::size_t w, std::size_t h, unsigned seed) : width (w), height (h)
   {
@@ -27,6 +27,7 @@ struct Image {
       inside.push_back (often (generator));
       to_left.push_back (often (generator));
       to_above.push_back (often (generator));
+      can_bridge.push_back (often (generator));
     }
   }
 
@@ -40,6 +41,13 @@ struct Image {
   isJoined (std::size_t i) const
   {
     return i >= width && inside[i] && inside[i - width] && to_above[i];
+  }
+
+  bool
+  isGap (std::size_t before, std::size_t after) const
+  {
+    const std::size_t i = (before + after) / 2;
+    return inside[before] && !inside[i] && inside[after] && can_bridge[i];
   }
 
   RunBits
@@ -56,10 +64,10 @@ struct Image {
     return bits;
   }
 
-  /** The first point that each one hangs together with, by passing it on until nothing changes.
-   */
+  /** The first point that each one hangs together with, over gaps of a pixel on demand, by
+   * passing it on until nothing changes. */
   std::vector<std::size_t>
-  firstPoints () const
+  firstPoints (bool are_bridged) const
   {
     std::vector<std::size_t> first (inside.size());
     for (std::size_t i = 0; i < first.size(); ++i)
@@ -74,6 +82,10 @@ struct Image {
       for (std::size_t i = 0; i < first.size(); ++i) {
         changes |= isLinked (i) && share (i, i - 1);
         changes |= isJoined (i) && share (i, i - width);
+        if (are_bridged && i % width >= 2)
+          changes |= isGap (i - 2, i) && share (i, i - 2);
+        if (are_bridged && i >= 2 * width)
+          changes |= isGap (i - 2 * width, i) && share (i, i - 2 * width);
       }
     }
     return first;
@@ -93,14 +105,21 @@ addRows (const Image& image, LinkedRuns& runs)
 
 } // namespace
 
-TEST (LinkedRuns, AreThoseFoundPointByPoint)
+class LinkedRunsTest : public testing::TestWithParam<bool> {};
+
+TEST_P (LinkedRunsTest, AreThoseFoundPointByPoint)
 {
   LinkedRuns runs; // from images before, nothing stays
-  for (const std::size_t width : {1u, 15u, 16u, 17u, 31u, 50u, 96u})
+  for (const std::size_t width : {1u, 2u, 15u, 16u, 17u, 31u, 50u, 96u})
     for (unsigned seed = 0; seed < 5; ++seed) {
       const Image image (width, 20, seed);
       addRows (image, runs);
-      const auto first = image.firstPoints();
+      if (GetParam())
+        runs.bridge (static_cast<std::uint32_t> (width),
+                     [&] (std::size_t before, std::size_t after) {
+                       return image.isGap (before, after);
+                     });
+      const auto first = image.firstPoints (GetParam());
       std::size_t next = 0; // run
       for (std::size_t i = 0; i < image.inside.size(); ++i) {
         if (!image.inside[i] || image.isLinked (i))
@@ -127,3 +146,5 @@ TEST (LinkedRuns, NothingWithoutPoints)
   EXPECT_TRUE (runs.runs().empty());
   EXPECT_EQ (pcl::rgbd_planes::pointsOf (runs.runs()), 0u);
 }
+
+INSTANTIATE_TEST_SUITE_P (BridgedOrNot, LinkedRunsTest, testing::Bool());

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 using namespace table_objects;
@@ -53,6 +54,24 @@ TEST (ObjectClusters, ClusterTolerance)
   EXPECT_EQ (extraction.getClusterTolerance(), 10.);
   extraction.setClusterTolerance (-1.);
   EXPECT_EQ (extraction.getClusterTolerance(), 10.);
+}
+
+TEST (ObjectClusters, LinesOfPixelsWithoutDepthSplitNothing)
+{
+  // As in depth that was registered with a camera of more pixels.
+  Camera camera;
+  camera.width = 640;
+  camera.image_height = 480;
+  View view =
+      look ({floor_slab, table, onTable (1.f, 0.1f, {0.1f, 0.1f, 0.15f})}, camera, 1.f);
+  for (std::uint32_t v = 0; v < view.cloud->height; ++v)
+    for (std::uint32_t u = 0; u < view.cloud->width; ++u)
+      if (u % 8 == 7 || v % 8 == 7)
+        view.cloud->at (u, v).getVector3fMap().setConstant (
+            std::numeric_limits<float>::quiet_NaN());
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 2), 0.7);
 }
 
 TEST (ObjectClusters, TopsSeenAtAFlatAngle)

@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/disjoint_sets.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +77,28 @@ public:
     return sets_.root (run);
   }
 
+  /** \brief Joins runs of rows of \a width points, all of which were added, where a gap of one
+   * pixel in a row or a column keeps them apart and is_gap (before, after) is true of the points
+   * at both sides of it. */
+  template <typename IsGap>
+  void
+  bridge (std::uint32_t width, const IsGap& is_gap)
+  {
+    for (std::uint32_t k = 1; k < runs_.size(); ++k) {
+      const std::uint32_t first = runs_[k].first;
+      if (first == endOf (k - 1) + 1 && first % width >= 2 && is_gap (first - 2, first))
+        sets_.join (k - 1, k);
+    }
+    std::uint32_t above = 0;
+    for (std::uint32_t k = 0; k < runs_.size(); ++k) {
+      const PointRun& run = runs_[k];
+      while (endOf (above) + 2 * width <= run.first)
+        ++above;
+      for (std::uint32_t j = above; runs_[j].first + 2 * width < endOf (k); ++j)
+        bridge (j, k, 2 * width, is_gap);
+    }
+  }
+
 private:
   struct Row {
     std::uint32_t
@@ -85,6 +108,29 @@ private:
     /** The run of each point that starts one, and of the first one of each block. */
     std::vector<std::uint32_t> run_from;
   };
+
+  std::uint32_t
+  endOf (std::uint32_t run) const
+  {
+    return runs_[run].first + runs_[run].length;
+  }
+
+  /** Where \a below has points \a step after those of \a above. */
+  template <typename IsGap>
+  void
+  bridge (std::uint32_t above,
+          std::uint32_t below,
+          std::uint32_t step,
+          const IsGap& is_gap)
+  {
+    if (sets_.root (above) == sets_.root (below))
+      return;
+    const std::uint32_t end = std::min (endOf (above) + step, endOf (below));
+    for (auto i = std::max (runs_[above].first + step, runs_[below].first); i < end;
+         ++i)
+      if (is_gap (i - step, i))
+        return sets_.join (above, below);
+  }
 
   void
   findRuns (std::uint32_t first, Row& row);

@@ -128,6 +128,9 @@ private:
   findRuns (const std::vector<std::uint8_t>& selected);
 
   void
+  bridgeGaps (const LinkLimit& limit);
+
+  void
   settleRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
 
   Place
