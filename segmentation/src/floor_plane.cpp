@@ -23,8 +23,6 @@ constexpr float max_bend_m = 0.03f;
 /** In the weighted mean, it bends parts of a floor by no more than so many standard deviations.
  * Those with a quarter of the points of the floor are too large for the top of a low thing. */
 constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
-/** If both are such parts of z = 0, it may bend one up and the other down. */
-constexpr float most_part_sigmas = 2.f * part_sigmas;
 /** Points of a level that are further from the floor are told from it one by one. */
 constexpr float level_sigmas = 8.f;
 /** Where planes meet in the image, the smooth error of depth is the same on both: unless there is
@@ -176,11 +174,11 @@ FloorPlane::compare (const LabelledPlanes& planes,
         std::abs (samples.step) > step_sigmas * static_cast<float> (samples.borders);
     samples.is_other = is_tilted && 5 * samples.off > samples.points;
     const bool are_at_zero = isAtZero (samples_[floor]) && isAtZero (samples);
-    const float limit = !is_large     ? part_sigmas
-                        : are_at_zero ? most_part_sigmas
-                                      : large_part_sigmas;
-    const bool is_near =
-        is_tilted ? samples.cosine > min_cos_bent && !samples.is_other : sigmas < limit;
+    const float limit = is_large ? large_part_sigmas : part_sigmas;
+    // What is apart from the floor in the image is no top of a thing that stands there.
+    const bool is_apart_at_zero = are_at_zero && samples.borders == 0;
+    const bool is_near = is_tilted ? samples.cosine > min_cos_bent && !samples.is_other
+                                   : is_apart_at_zero || sigmas < limit;
     samples.is_part = is_near && !is_step;
     const bool is_level = !is_tilted && !samples.is_part &&
                           (is_step || sigmas >= large_part_sigmas) &&

@@ -85,6 +85,27 @@ TEST (FloorLevels, PiecesOfTheFloorThatTheErrorOfDepthBentApartAreFloor)
   }
 }
 
+TEST (FloorLevels, ASmallPieceApartFromTheFloorIsFloorIfBothAreAtZero)
+{
+  // Tilted by 2.3 degrees: in its plane, the piece is six standard deviations of depth too low.
+  Patch floor{Eigen::Vector3f (0.f, -0.04f, 1.f).normalized(),
+              {0.f, -0.4f, 0.f},
+              [] (const Eigen::Vector3f& p) { return p.y() < -0.1f; }};
+  for (const float height : {0.f, -0.03f}) {
+    Patch piece = floorAt (height);
+    piece.covers = [] (const Eigen::Vector3f& p) {
+      return p.y() > 0.5f && p.y() < 0.7f && p.x() < 2.f;
+    };
+    const FloorScene scene ({floor, piece}, cameraPose (1.4f, 0.45f), 320);
+    const Result result = detect (scene);
+    const double share_of_floor = share (scene, result, 1, 1, ObstacleClass::floor);
+    if (height == 0.f)
+      EXPECT_GT (share_of_floor, 0.99);
+    else
+      EXPECT_LT (share_of_floor, 0.1);
+  }
+}
+
 TEST (FloorLevels, APieceOfTheFloorThatTheErrorOfDepthTiltedIsFloorWhereItIsLow)
 {
   constexpr float edge = 0.8f;
