@@ -20,8 +20,8 @@ namespace {
 constexpr float stretch = 3.f;
 constexpr float level_stretch = 1.5f;
 
-/** Gaps of a pixel without depth that are wider may be between two things, metres. */
-constexpr float widest_gap = 0.01f;
+/** Of the pixels of a camera, a smaller part has no depth between two that have. */
+constexpr double most_gaps = 0.02;
 
 /** A margin without depth is at most this part of the width of the image. */
 constexpr std::uint32_t margins = 20;
@@ -149,20 +149,42 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
                  runs_.bits());
     runs_.addRow (first);
   }
-  bridgeGaps (limit);
+  if (hasLinesOfGaps())
+    bridgeGaps (limit);
 }
 
-/** Depth that is registered with another camera has lines of single pixels without a measurement.
- */
+/** Depth that is registered with another camera has lines of single pixels without any. */
+bool
+ObjectClusters::hasLinesOfGaps() const
+{
+  constexpr int line_step = 16;
+  std::size_t measured = 0, gaps = 0;
+  const auto count = [&] (int lines, int to_line, int length, int to_next) {
+    const auto isMeasuredAt = [&] (int line, int k) {
+      return isMeasured (
+          points_[static_cast<std::size_t> (line * to_line + k * to_next)]);
+    };
+    for (int line = 0; line < lines; line += line_step)
+      for (int k = 1; k + 1 < length; ++k) {
+        const bool is_measured = isMeasuredAt (line, k);
+        measured += is_measured;
+        gaps +=
+            !is_measured && isMeasuredAt (line, k - 1) && isMeasuredAt (line, k + 1);
+      }
+  };
+  const int width = points_.width, height = points_.height;
+  count (height, width, width, 1);
+  count (width, 1, height, width);
+  return static_cast<double> (gaps) > most_gaps * static_cast<double> (measured);
+}
+
 void
 ObjectClusters::bridgeGaps (const LinkLimit& limit)
 {
   runs_.bridge (width_, [&] (std::uint32_t before, std::uint32_t after) {
-    const Eigen::Map<const Eigen::Vector3f> p (points_[before]), q (points_[after]);
     return place_[before] == place_[after] &&
            !isMeasured (points_[before + (after - before) / 2]) &&
-           (p - q).squaredNorm() < widest_gap * widest_gap &&
-           limit.allows (q.data(), p.data());
+           limit.allows (points_[after], points_[before]);
   });
 }
 

@@ -127,6 +127,9 @@ private:
   void
   findRuns (const std::vector<std::uint8_t>& selected);
 
+  bool
+  hasLinesOfGaps () const;
+
   void
   bridgeGaps (const LinkLimit& limit);
 
