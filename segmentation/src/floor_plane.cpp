@@ -173,10 +173,10 @@ FloorPlane::compare (const LabelledPlanes& planes,
         samples.borders * samples.borders >= samples.points &&
         std::abs (samples.step) > step_sigmas * static_cast<float> (samples.borders);
     samples.is_other = is_tilted && 5 * samples.off > samples.points;
-    const bool are_at_zero = isAtZero (samples_[floor]) && isAtZero (samples);
     const float limit = is_large ? large_part_sigmas : part_sigmas;
     // What is apart from the floor in the image is no top of a thing that stands there.
-    const bool is_apart_at_zero = are_at_zero && samples.borders == 0;
+    const bool is_apart_at_zero =
+        samples.borders == 0 && isAtZero (samples_[floor]) && isAtZero (samples);
     const bool is_near = is_tilted ? samples.cosine > min_cos_bent && !samples.is_other
                                    : is_apart_at_zero || sigmas < limit;
     samples.is_part = is_near && !is_step;

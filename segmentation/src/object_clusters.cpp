@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "image_lines.h"
 #include "link_kernels.h"
 #include "object_kernels.h"
 #include "run_kernels.h"
@@ -20,46 +21,6 @@ namespace {
 constexpr float stretch = 3.f;
 constexpr float level_stretch = 1.5f;
 
-/** Of the pixels of a camera, a smaller part has no depth between two that have. */
-constexpr double most_gaps = 0.02;
-
-/** A margin without depth is at most this part of the width of the image. */
-constexpr std::uint32_t margins = 20;
-
-/** Square pixels of a camera differ by no more in their angles along rows and columns. */
-constexpr float max_distortion = 1.2f;
-
-/** The angle between the rays of neighbouring points in the lines of an image, in the mean of
- * some of them; measured piece by piece, for a line may go all around. */
-float
-meanAngle (
-    const OrganizedPoints& points, int lines, int to_line, int length, int to_next)
-{
-  constexpr int line_step = 16, pieces = 8;
-  const int piece = std::max (length / pieces, 1);
-  float angles = 0.f;
-  int pixels = 0;
-  for (int line = 0; line < lines; line += line_step) {
-    const auto ray = [&] (int k) {
-      return points[static_cast<std::size_t> (line * to_line + k * to_next)];
-    };
-    int first = 0, last = length - 1;
-    while (first < last && !isMeasured (ray (first)))
-      ++first;
-    while (first < last && !isMeasured (ray (last)))
-      --last;
-    for (int k = first; first < last; first = k) {
-      k = std::min (first + piece, last);
-      while (!isMeasured (ray (k)))
-        ++k;
-      const Eigen::Map<const Eigen::Vector3f> p (ray (first)), q (ray (k));
-      angles += std::atan2 (p.cross (q).norm(), p.dot (q));
-      pixels += k - first;
-    }
-  }
-  return pixels ? angles / static_cast<float> (pixels) : 0.f;
-}
-
 } // namespace
 
 void
@@ -77,7 +38,7 @@ ObjectClusters::compute (const OrganizedPoints& points,
   sums_.clear();
   if (!supports.planes().empty()) {
     markBackground (selected);
-    measurePixelAngle();
+    pixel_angle_ = meanPixelAngle (points);
     findRuns (selected);
     sumUp();
   }
@@ -93,16 +54,6 @@ ObjectClusters::markBackground (const std::vector<std::uint8_t>& selected)
       const auto i = static_cast<std::size_t> (index);
       is_background_[i] = selected.empty() || selected[i];
     }
-}
-
-/** Rows of laser scanners are farther apart than columns. */
-void
-ObjectClusters::measurePixelAngle()
-{
-  const int width = points_.width, height = points_.height;
-  const float in_row = meanAngle (points_, height, width, width, 1);
-  const float in_column = meanAngle (points_, width, 1, height, width);
-  pixel_angle_ = in_column > max_distortion * in_row ? in_column : in_row;
 }
 
 LinkLimit
@@ -149,33 +100,8 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
                  runs_.bits());
     runs_.addRow (first);
   }
-  if (hasLinesOfGaps())
+  if (hasLinesOfGaps (points_))
     bridgeGaps (limit);
-}
-
-/** Depth that is registered with another camera has lines of single pixels without any. */
-bool
-ObjectClusters::hasLinesOfGaps() const
-{
-  constexpr int line_step = 16;
-  std::size_t measured = 0, gaps = 0;
-  const auto count = [&] (int lines, int to_line, int length, int to_next) {
-    const auto isMeasuredAt = [&] (int line, int k) {
-      return isMeasured (
-          points_[static_cast<std::size_t> (line * to_line + k * to_next)]);
-    };
-    for (int line = 0; line < lines; line += line_step)
-      for (int k = 1; k + 1 < length; ++k) {
-        const bool is_measured = isMeasuredAt (line, k);
-        measured += is_measured;
-        gaps +=
-            !is_measured && isMeasuredAt (line, k - 1) && isMeasuredAt (line, k + 1);
-      }
-  };
-  const int width = points_.width, height = points_.height;
-  count (height, width, width, 1);
-  count (width, 1, height, width);
-  return static_cast<double> (gaps) > most_gaps * static_cast<double> (measured);
 }
 
 void
@@ -263,7 +189,8 @@ std::size_t
 ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
 {
   const auto height = static_cast<std::uint32_t> (points_.height);
-  const std::uint32_t margin_u = width_ / margins + 1, margin_v = height / margins + 1;
+  const std::uint32_t margin_u = width_ / part_of_margin + 1,
+                      margin_v = height / part_of_margin + 1;
   const std::uint32_t u = run.first % width_, v = run.first / width_;
   const std::uint32_t end = run.first + run.length;
   const bool is_near = step == -1               ? u < margin_u

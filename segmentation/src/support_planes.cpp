@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "image_lines.h"
 #include "platform.h"
 #include "point_sample.h"
 #include "row_corners.h"
@@ -62,7 +63,7 @@ constexpr double background_share = 0.2;
  * seen. That shows in so many points, and in so many parts of the image, of which those next to the
  * border may have no points. Between things in a row there are gaps. */
 constexpr std::size_t across_sample = 4000;
-constexpr int parts_across = 60, margin = 3;
+constexpr int parts_across = 60, margin = parts_across / part_of_margin;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
 float

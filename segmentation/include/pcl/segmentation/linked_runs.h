@@ -95,7 +95,7 @@ public:
       while (endOf (above) + 2 * width <= run.first)
         ++above;
       for (std::uint32_t j = above; runs_[j].first + 2 * width < endOf (k); ++j)
-        bridge (j, k, 2 * width, is_gap);
+        bridgeRows (j, k, 2 * width, is_gap);
     }
   }
 
@@ -118,10 +118,10 @@ private:
   /** Where \a below has points \a step after those of \a above. */
   template <typename IsGap>
   void
-  bridge (std::uint32_t above,
-          std::uint32_t below,
-          std::uint32_t step,
-          const IsGap& is_gap)
+  bridgeRows (std::uint32_t above,
+              std::uint32_t below,
+              std::uint32_t step,
+              const IsGap& is_gap)
   {
     if (sets_.root (above) == sets_.root (below))
       return;

@@ -118,17 +118,11 @@ private:
   void
   markBackground (const std::vector<std::uint8_t>& selected);
 
-  void
-  measurePixelAngle ();
-
   LinkLimit
   linkLimit () const;
 
   void
   findRuns (const std::vector<std::uint8_t>& selected);
-
-  bool
-  hasLinesOfGaps () const;
 
   void
   bridgeGaps (const LinkLimit& limit);

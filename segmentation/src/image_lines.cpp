@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "image_lines.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** So many rows and columns are looked at. */
+constexpr int sampled_lines = 10;
+
+/** Square pixels of a camera differ by no more in their angles along rows and columns. */
+constexpr float max_distortion = 1.2f;
+
+/** Of the pixels of a camera, a smaller part has no depth between two that have. */
+constexpr double most_gaps = 0.02;
+
+/** The points of some rows or columns of an image. */
+struct Lines {
+  const float*
+  point (int line, int k) const
+  {
+    return points[static_cast<std::size_t> (line * to_line + k * to_next)];
+  }
+
+  /** Calls use (line) for some of them. */
+  template <typename Use>
+  void
+  sample (const Use& use) const
+  {
+    const int step = std::max (number / sampled_lines, 1);
+    for (int line = step / 2; line < number; line += step)
+      use (line);
+  }
+
+  const OrganizedPoints& points;
+  int number, to_line, length, to_next;
+};
+
+Lines
+rowsOf (const OrganizedPoints& points)
+{
+  return {points, points.height, points.width, points.width, 1};
+}
+
+Lines
+columnsOf (const OrganizedPoints& points)
+{
+  return {points, points.width, 1, points.height, points.width};
+}
+
+/** The angle between the rays of neighbouring points; measured piece by piece, for a line may go
+ * all around. */
+float
+meanAngle (const Lines& lines)
+{
+  constexpr int pieces = 8;
+  const int piece = std::max (lines.length / pieces, 1);
+  float angles = 0.f;
+  int pixels = 0;
+  lines.sample ([&] (int line) {
+    const auto ray = [&] (int k) { return lines.point (line, k); };
+    int first = 0, last = lines.length - 1;
+    while (first < last && !isMeasured (ray (first)))
+      ++first;
+    while (first < last && !isMeasured (ray (last)))
+      --last;
+    for (int k = first; first < last; first = k) {
+      k = std::min (first + piece, last);
+      while (!isMeasured (ray (k)))
+        ++k;
+      const Eigen::Map<const Eigen::Vector3f> p (ray (first)), q (ray (k));
+      angles += std::atan2 (p.cross (q).norm(), p.dot (q));
+      pixels += k - first;
+    }
+  });
+  return pixels ? angles / static_cast<float> (pixels) : 0.f;
+}
+
+} // namespace
+
+float
+meanPixelAngle (const OrganizedPoints& points)
+{
+  const float in_row = meanAngle (rowsOf (points));
+  const float in_column = meanAngle (columnsOf (points));
+  return in_column > max_distortion * in_row ? in_column : in_row;
+}
+
+bool
+hasLinesOfGaps (const OrganizedPoints& points)
+{
+  std::size_t measured = 0, gaps = 0;
+  for (const Lines& lines : {rowsOf (points), columnsOf (points)})
+    lines.sample ([&] (int line) {
+      const auto isMeasuredAt = [&] (int k) {
+        return isMeasured (lines.point (line, k));
+      };
+      for (int k = 1; k + 1 < lines.length; ++k) {
+        const bool is_measured = isMeasuredAt (k);
+        measured += is_measured;
+        gaps += !is_measured && isMeasuredAt (k - 1) && isMeasuredAt (k + 1);
+      }
+    });
+  return static_cast<double> (gaps) > most_gaps * static_cast<double> (measured);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

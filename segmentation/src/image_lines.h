@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/features/organized_view.h>
+
+namespace pcl {
+namespace rgbd_planes {
+
+// What a few rows and columns of an image tell of the sensor that took it.
+
+/** \brief Images of cameras have margins without depth; each is at most this part of the image. */
+constexpr int part_of_margin = 20;
+
+/** \brief The angle between the rays of neighbouring pixels, in radians; 0 where no two are
+ * measured. Where rows are farther apart than columns, as those of laser scanners are, it is that
+ * between rows. */
+float
+meanPixelAngle (const OrganizedPoints& points);
+
+/** \brief Whether single pixels without depth between two with depth are more than edges leave:
+ * depth that is registered with another camera has lines of them. */
+bool
+hasLinesOfGaps (const OrganizedPoints& points);
+
+} // namespace rgbd_planes
+} // namespace pcl
