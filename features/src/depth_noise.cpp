@@ -16,52 +16,74 @@ namespace {
 
 /** Rectangles along the longer side of the image, every second of which is looked at. */
 constexpr std::size_t rectangles_in_a_row = 80;
+/** So many are across an image of few rows. */
+constexpr std::size_t rectangles_across = 5;
 constexpr std::ptrdiff_t min_rectangles = 100;
 /** The median of a normal distribution's sizes, in standard deviations. */
 constexpr float median_size = 0.6745f;
 
-/** The error of the rectangle of \a side pixels from point \a first on, in standard deviations;
- * not finite where a corner is missing or beyond the range of the noise. */
+/** The error of the rectangle with the corners \a first, \a right pixels further along a row, and
+ * \a down pixels further along columns, in standard deviations; not finite where one of them is
+ * missing, not \a selected, or beyond the range of the noise. */
 float
 errorOfRectangle (const OrganizedPoints& points,
+                  const std::vector<std::uint8_t>& selected,
                   const DepthNoise& noise,
                   std::size_t first,
-                  std::size_t side)
+                  std::size_t right,
+                  std::size_t down)
 {
   const float max_square = noise.maxSquaredRange();
   // Not finite where it is missing: 0 / 0, inf / inf.
-  const auto inverseRange = [&points, max_square] (std::size_t i) {
+  const auto inverseRange = [&, max_square] (std::size_t i) {
     const float square = squaredRange (points[i]);
-    return square <= max_square ? std::sqrt (square) / square
-                                : std::numeric_limits<float>::infinity();
+    return square <= max_square && (selected.empty() || selected[i])
+               ? std::sqrt (square) / square
+               : std::numeric_limits<float>::infinity();
   };
-  const std::size_t down = side * static_cast<std::size_t> (points.width);
   const float square = squaredRange (points[first]);
   // That of an inverse range is sigma / range^2, to first order.
   const float sigma = 2.f * noise.sigma (square) / square;
-  return std::abs (inverseRange (first) - inverseRange (first + side) -
-                   inverseRange (first + down) + inverseRange (first + down + side)) /
+  return std::abs (inverseRange (first) - inverseRange (first + right) -
+                   inverseRange (first + down) + inverseRange (first + right + down)) /
          sigma;
 }
 
 } // namespace
 
 DepthNoise
-noiseIn (const OrganizedPoints& points, const DepthNoise& noise)
+noiseIn (const OrganizedPoints& points,
+         const std::vector<std::uint8_t>& selected,
+         const DepthNoise& noise)
 {
   if (!noise.is_least)
     return noise;
   const auto width = static_cast<std::size_t> (points.width),
              height = static_cast<std::size_t> (points.height);
-  const std::size_t side =
-      std::max<std::size_t> (1, std::max (width, height) / rectangles_in_a_row);
+  const auto sizeAlong = [&] (std::size_t side) {
+    return std::clamp<std::size_t> (
+        std::max (width, height) / rectangles_in_a_row,
+        1,
+        std::max<std::size_t> (side / rectangles_across, 1));
+  };
+  const std::size_t size_u = sizeAlong (width), size_v = sizeAlong (height);
   std::array<float, (rectangles_in_a_row + 1) * (rectangles_in_a_row + 1)> errors;
   auto end = errors.begin();
-  for (std::size_t v = 0; v + side < height; v += 2 * side)
-    for (std::size_t u = 0; u + side < width; u += 2 * side) {
-      *end = errorOfRectangle (points, noise, v * width + u, side);
-      end += std::isfinite (*end);
-    }
+  // Where many pixels are missing, the rectangles between those count as well, and then others, of
+  // which corners are in odd columns and rows.
+  for (unsigned k = 0; k < 16 && end - errors.begin() < min_rectangles; ++k) {
+    const bool between_u = k & 1, between_v = k & 2, others_u = k & 4, others_v = k & 8;
+    if ((others_u && size_u == 1) || (others_v && size_v == 1))
+      continue;
+    const std::size_t first_u = between_u * size_u + others_u * (size_u / 2 | 1);
+    const std::size_t first_v = between_v * size_v + others_v * (size_v / 2 | 1);
+    for (std::size_t v = first_v; v + size_v < height; v += 2 * size_v)
+      for (std::size_t u = first_u; u + size_u < width; u += 2 * size_u) {
+        *end = errorOfRectangle (
+            points, selected, noise, v * width + u, size_u, size_v * width);
+        end += std::isfinite (*end);
+      }
+  }
   if (end - errors.begin() < min_rectangles)
     return noise;
   const auto median = errors.begin() + (end - errors.begin()) / 2;

@@ -71,7 +71,7 @@ PlaneExtraction::compute (const OrganizedPoints& points,
   times_ = {};
   auto start = std::chrono::steady_clock::now();
   parameters_ = parameters;
-  parameters_.noise = noiseIn (points, parameters.noise);
+  parameters_.noise = noiseIn (points, selected, parameters.noise);
   max_sigmas_ = static_cast<float> (parameters_.distanceThreshold()) /
                 parameters_.noise.sigma (1.f);
   applyAdditions (parameters_);

@@ -46,7 +46,7 @@ noiseOf (const std::vector<float>& points,
          int height,
          const DepthNoise& noise)
 {
-  return noiseIn ({points.data(), 3, width, height}, noise).sigma (1.f);
+  return noiseIn ({points.data(), 3, width, height}, {}, noise).sigma (1.f);
 }
 
 /** The preset is at most \a smaller below and \a larger above a published curve, in metres,
@@ -128,9 +128,9 @@ TEST (DepthNoise, FramesMayHaveMoreThanTheLeast)
     EXPECT_EQ (noiseOf (precise, width, height, DepthNoise::kinectV1()), usual);
   }
   const std::vector<float> wall = tiltedWall (640, 480, 4.f);
-  EXPECT_EQ (
-      noiseIn ({wall.data(), 3, 640, 480}, DepthNoise::activeStereo()).normal_scatter,
-      2.5f);
+  EXPECT_EQ (noiseIn ({wall.data(), 3, 640, 480}, {}, DepthNoise::activeStereo())
+                 .normal_scatter,
+             2.5f);
   // Its points spread farther, as it says.
   EXPECT_FALSE (DepthNoise::kinectV1Corrected().is_least);
 }
@@ -150,6 +150,52 @@ TEST (DepthNoise, MissingPointsSayNothingOfTheNoiseOfAFrame)
         noiseOf (points, 640, 480, DepthNoise::kinectV1()), 2.5f * usual, 0.15f * usual)
         << missing;
   }
+}
+
+/** Where fewer than a hundred rectangles of the first choice had all their corners, the noise was
+ * taken for the least: half of the pixels missing, every second column, a small cut, or a laser
+ * scanner of few rows. */
+TEST (DepthNoise, FewMeasuredPointsTellTheNoiseOfAFrame)
+{
+  const float usual = DepthNoise().sigma (1.f);
+  const auto expectNoise = [&] (int width, int height, const auto& is_measured) {
+    std::vector<float> points = tiltedWall (width, height, 2.5f);
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < width; ++u)
+        if (!is_measured (u, v))
+          std::fill_n (&points[3 * (v * width + u)], 3, 0.f);
+    EXPECT_NEAR (noiseOf (points, width, height, DepthNoise::kinectV1()),
+                 2.5f * usual,
+                 0.5f * usual)
+        << width << " x " << height;
+  };
+  std::mt19937 random (1);
+  for (const auto& [width, height] : {std::pair{640, 480}, {320, 240}, {160, 120}}) {
+    expectNoise (width, height, [&] (int, int) { return random() % 2 == 0; });
+    expectNoise (width, height, [] (int u, int) { return u % 2 == 1; });
+    expectNoise (width, height, [] (int, int v) { return v % 2 == 1; });
+    expectNoise (width, height, [side = width / 4] (int u, int v) {
+      return u < side && v < side;
+    });
+  }
+  for (const int rows : {16, 32, 64})
+    expectNoise (1024, rows, [] (int, int) { return true; });
+}
+
+TEST (DepthNoise, PointsThatAreNotSelectedSayNothingOfTheNoiseOfAFrame)
+{
+  std::vector<float> points = tiltedWall (640, 480, 0.5f);
+  const std::vector<float> noisy = tiltedWall (640, 480, 9.f);
+  std::vector<std::uint8_t> selected (640 * 480, 1);
+  for (std::size_t i = 0; i < selected.size(); ++i)
+    if (i % 640 > 200) {
+      selected[i] = 0;
+      std::copy_n (&noisy[3 * i], 3, &points[3 * i]);
+    }
+  const DepthNoise least = DepthNoise::kinectV1();
+  const pcl::rgbd_planes::OrganizedPoints image{points.data(), 3, 640, 480};
+  EXPECT_EQ (noiseIn (image, selected, least).sigma (1.f), least.sigma (1.f));
+  EXPECT_GT (noiseIn (image, {}, least).sigma (1.f), 3.f * least.sigma (1.f));
 }
 
 TEST (DepthNoise, PointsBeyondTheRangeSayNothingOfTheNoiseOfAFrame)

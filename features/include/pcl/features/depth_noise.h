@@ -7,8 +7,10 @@
 #include <pcl/features/rgbd_planes_exports.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -148,10 +150,15 @@ struct DepthNoise {
  * The ratio is a median over small rectangles of the image. What counts is the inverse range at
  * two opposite corners less that at the other two, which is 0 on planes and on cylinders along
  * the image, divided by the standard deviation that \a noise predicts for it. Errors that are
- * smooth over an eightieth of the image's longer side are not seen.
+ * smooth over an eightieth of the image's longer side are not seen. Where fewer than a hundred
+ * rectangles have all their corners, the noise is taken for the least.
+ *
+ * \param[in] selected not 0 for the points to look at; empty for all
  */
 PCL_RGBD_PLANES_EXPORTS DepthNoise
-noiseIn (const OrganizedPoints& points, const DepthNoise& noise);
+noiseIn (const OrganizedPoints& points,
+         const std::vector<std::uint8_t>& selected,
+         const DepthNoise& noise);
 
 /** \brief What setters of the noise of a sensor do: \a noise becomes \a value. One that is
  * negative, 0 at a range of 1 m, not finite, without a range, or with a scatter of normals that is

@@ -113,11 +113,11 @@ ObstacleDetection<PointT, PointNT, PointLT>::findObstacles (
   rgbd_planes::ObstacleParameters parameters = parameters_;
   parameters.camera_to_base.translate (origin);
   const auto points = relative_points_.of (*input_);
-  parameters.points.noise = noiseIn (points, parameters_.points.noise);
   planes_.coefficients.clear();
   for (const auto& plane : coefficients_)
     planes_.coefficients.push_back (rgbd_planes::shifted (plane, -origin));
   rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
+  parameters.points.noise = noiseIn (points, selected_, parameters_.points.noise);
   planes_.labels = &labels_->front().label;
   planes_.stride = sizeof (PointLT) / sizeof (std::uint32_t);
   extraction_.compute (points,

@@ -110,7 +110,7 @@ SupportedObjectExtraction<PointT, PointNT>::findObjects (
   rgbd_planes::selectPoints (indices_.get(), input_->size(), selected_);
   const auto points = relative_points_.of (*input_);
   rgbd_planes::ObjectParameters parameters = parameters_;
-  parameters.noise = noiseIn (points, parameters_.noise);
+  parameters.noise = noiseIn (points, selected_, parameters_.noise);
   std::size_t count = 0;
   for (const auto& cluster : findClusters (points, parameters)) {
     // A strip of the wall behind a table is no object.
