@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <memory>
 
@@ -138,21 +139,29 @@ computeTwoRunNormals (const OrganizedPoints& points,
       numberOfThreads (parameters.threads), 1, std::max<std::size_t> (parts, 1)));
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   std::size_t valid = 0;
+  // Those of memory that is short, or of the radius, must not leave a parallel region.
+  std::exception_ptr exception;
 #pragma omp parallel num_threads(threads) reduction(+ : valid)
   {
     Workspace workspace;
 #pragma omp for schedule(dynamic, part_size)
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const float* place = points[static_cast<std::size_t> (indices[i])];
-      LocalPlane plane;
-      if (normalAt (indices[i], place, surface, search, parameters, workspace, plane))
-        ++valid;
-      else
-        plane = {{nan, nan, nan}, nan};
+      LocalPlane plane{{nan, nan, nan}, nan};
+      try {
+        valid +=
+            normalAt (indices[i], place, surface, search, parameters, workspace, plane);
+      }
+      catch (...) {
+#pragma omp critical
+        exception = std::current_exception();
+      }
       std::copy_n (plane.normal.data(), 3, output.normal + i * output.stride);
       output.curvature[i * output.stride] = plane.curvature;
     }
   }
+  if (exception)
+    std::rethrow_exception (exception);
   return valid;
 }
 

@@ -43,7 +43,7 @@ void
 applyAdditions (PlaneExtractionParameters& parameters)
 {
   if (!parameters.additions.creases)
-    parameters.maximum_curvature = std::numeric_limits<float>::infinity();
+    parameters.maximum_curvature = std::numeric_limits<double>::infinity();
   if (!parameters.additions.noise) {
     parameters.noise.constant = parameters.noise.sigma (squared_usual_range);
     parameters.noise.quadratic = 0.f;
@@ -77,8 +77,11 @@ PlaneExtraction::compute (const OrganizedPoints& points,
   applyAdditions (parameters_);
   // Where errors are shared, the means of clusters and of sides of steps are less exact.
   cluster_scatter_ = std::sqrt (parameters_.noise.normal_scatter);
-  samples_.compute (
-      points, normals, selected, parameters_.noise, parameters_.maximum_curvature);
+  samples_.compute (points,
+                    normals,
+                    selected,
+                    parameters_.noise,
+                    static_cast<float> (parameters_.maximum_curvature));
   times_.normal_space = secondsSince (start);
 
   const double min_samples =
@@ -171,7 +174,8 @@ PlaneExtraction::findParts()
 void
 PlaneExtraction::growParts()
 {
-  for (const auto& component : components_.components()) {
+  for (std::size_t k = 0; k < components_.size(); ++k) {
+    const auto component = components_[k];
     const auto normal_cluster = static_cast<std::size_t> (
         distance_clusters_.normalClusters()[component.cluster()]);
     const Eigen::Vector3f& normal = normal_clusters_.meanNormals()[normal_cluster];
@@ -262,7 +266,7 @@ PlaneExtraction::isPatch (std::size_t plane) const
                      parameters_.min_near_normals)));
 }
 
-/** Drops planes with too few points, sorts the others, and fits them. */
+/** Drops planes that too few points determine, sorts the others, and fits them. */
 void
 PlaneExtraction::finish (std::size_t width)
 {
@@ -276,8 +280,11 @@ PlaneExtraction::finish (std::size_t width)
     order_.erase (end, order_.end());
     return dropped;
   };
-  rejections_.too_few_points +=
-      dropWhere ([&] (std::uint32_t k) { return sums[k].points < min_points; });
+  rejections_.too_few_points += dropWhere ([&] (std::uint32_t k) {
+    const PlaneMoments& weighted = assignment_.weightedMoments()[k];
+    return sums[k].points < min_points ||
+           !weighted.determine (weighted.inverseDistance());
+  });
   rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isPatch (k); });
   std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {
     return sums[a].points != sums[b].points ? sums[a].points > sums[b].points : a < b;

@@ -120,20 +120,17 @@ SampleComponents::listComponents (std::size_t min_points)
       continue;
     places_[k] = samples_[k] >= min_points ? end : nowhere;
     if (samples_[k] >= min_points) {
-      const TilePart* first = &members_[end];
-      components_.push_back ({first, first + number, samples_[k]});
+      components_.push_back ({end, number, samples_[k]});
       end += number;
     }
   }
   for (std::uint32_t k = 0; k < pieces_.size(); ++k)
     if (std::uint32_t& place = places_[roots_[k]]; place != nowhere)
       members_[place++] = pieces_[k];
-  std::sort (components_.begin(),
-             components_.end(),
-             [] (const Component& a, const Component& b) {
-               return a.samples != b.samples ? a.samples > b.samples
-                                             : a.first < b.first;
-             });
+  std::sort (
+      components_.begin(), components_.end(), [] (const Members& a, const Members& b) {
+        return a.samples != b.samples ? a.samples > b.samples : a.first < b.first;
+      });
 }
 
 } // namespace rgbd_planes

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 using namespace normal_clouds;
 using Estimation = pcl::TwoRunNormalEstimation<pcl::PointXYZ, pcl::Normal>;
 
@@ -48,6 +50,20 @@ TEST (TwoRunNormal, SearchSurface)
   ASSERT_EQ (normals.size(), few->size());
   for (std::size_t i = 0; i < normals.size(); ++i)
     EXPECT_TRUE (sameBits (normals[i], all[i * 50])) << i;
+}
+
+/** They ended the process. */
+TEST (TwoRunNormal, ExceptionsOfTheRadiusArrive)
+{
+  for (const unsigned threads : {1u, 2u}) {
+    Estimation estimation;
+    estimation.setNumberOfThreads (threads);
+    estimation.setInputCloud (makeHoles());
+    estimation.setRadius (
+        [] (float) -> float { throw std::runtime_error ("no radius"); });
+    Normals normals;
+    EXPECT_THROW (estimation.compute (normals), std::runtime_error);
+  }
 }
 
 TEST_F (TwoRunNormalErrors, TheSearchSurfaceIsNoOutput)

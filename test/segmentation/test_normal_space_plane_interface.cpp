@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 #include <vector>
 
 using namespace plane_clouds;
@@ -109,18 +110,22 @@ TEST (NormalSpacePlaneInterface, WithIndicesAllIsAsIfOtherPointsWereMissing)
 {
   const Scene scene = render (corner(), 320, 240, kinectSigma);
   auto indices = pcl::make_shared<pcl::Indices>();
+  auto all = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (*scene.cloud);
   auto rest = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (*scene.cloud);
+  std::mt19937 random (1);
+  std::normal_distribution<float> much_noise (1.f, 0.1f);
   for (std::size_t i = 0; i < rest->size(); ++i)
     if (i % 7 < 3 && i % 320 < 200)
       indices->push_back (static_cast<pcl::index_t> (i));
-    else
+    else {
+      (*all)[i].getVector3fMap() *= much_noise (random);
       (*rest)[i].x = std::nanf ("");
+    }
   Result with_indices, without;
   for (Result* result : {&with_indices, &without}) {
     Segmentation segmentation;
     segmentation.setMinInliers (250);
-    segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise());
-    segmentation.setInputCloud (result == &without ? rest : scene.cloud);
+    segmentation.setInputCloud (result == &without ? rest : all);
     segmentation.setInputNormals (estimateNormals (scene.cloud));
     if (result == &with_indices)
       segmentation.setIndices (indices);

@@ -63,7 +63,7 @@ runPipeline (const Cloud::ConstPtr& cloud)
   EXPECT_EQ (mps.getMinInliers(), 5000u);
   EXPECT_EQ (mps.getAngularThreshold(), 0.05);
   EXPECT_EQ (mps.getDistanceThreshold(), 0.02);
-  EXPECT_FLOAT_EQ (static_cast<float> (mps.getMaximumCurvature()), 0.01f);
+  EXPECT_EQ (mps.getMaximumCurvature(), 0.01);
   const typename Segmentation::PointCloudNPtr normals = estimateNormals (cloud);
   mps.setInputNormals (normals);
   const typename Segmentation::PointCloudNConstPtr same = mps.getInputNormals();

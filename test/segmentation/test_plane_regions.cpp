@@ -138,6 +138,28 @@ TEST (PlaneRegions, RefiningWhatIsNotSegmentedIsAnErrorAndChangesNothing)
   EXPECT_TRUE (models.empty());
 }
 
+/** It gave the planes of the frame before, with points beyond the end of the cloud. */
+TEST (PlaneRegions, RefiningACloudThatIsFilledAnewIsAnError)
+{
+  for (const bool is_smaller : {false, true}) {
+    const Scene scene = render (corner(), 320, 240, kinectSigma);
+    Ours segmentation;
+    Result found;
+    segment (segmentation, scene.cloud, found);
+    if (is_smaller)
+      *scene.cloud = *render (corner(), 160, 120).cloud;
+    else
+      ++scene.cloud->header.stamp;
+    segmentation.setInputCloud (scene.cloud);
+    auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>>();
+    testing::internal::CaptureStderr();
+    segmentation.refine (found.models, found.inliers, labels, found.label_indices);
+    EXPECT_NE (testing::internal::GetCapturedStderr().find ("call segment () first"),
+               std::string::npos);
+    EXPECT_TRUE (labels->empty());
+  }
+}
+
 TEST (PlaneRegions, BadInputGivesNone)
 {
   const Scene scene = render (corner(), 320, 240);

@@ -17,7 +17,7 @@ TEST (PlaneSettings, Defaults)
   EXPECT_EQ (segmentation.getMinInliers(), 1000u);
   EXPECT_EQ (segmentation.getAngularThreshold(), 0.2);
   EXPECT_EQ (segmentation.getDistanceThreshold(), 0.009);
-  EXPECT_FLOAT_EQ (static_cast<float> (segmentation.getMaximumCurvature()), 0.08f);
+  EXPECT_EQ (segmentation.getMaximumCurvature(), 0.08);
   EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
   EXPECT_EQ (segmentation.getNormalSpaceGrid(),
              pcl::rgbd_planes::NormalSpaceGrid::voxels);

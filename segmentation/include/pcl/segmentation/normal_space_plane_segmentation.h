@@ -142,7 +142,8 @@ public:
   /** \brief How far from its plane a point may lie along the viewing ray, in metres at a
    * range of 1 m; more than 0. It grows with range as the noise of the sensor does: 0.02, a
    * usual value for PCL's class, is 0.22 m at 4 m. The default is 0.009, or 1.5 standard
-   * deviations of that noise if it is less, or 4.5 if it is more. Amid the plane points may lie
+   * deviations of that noise if it is less, or 4.5 if it is more; in frames with more noise than the sensor has at
+   * least, those of that (rgbd_planes::noiseIn()). Amid the plane points may lie
    * 1.15 times as far, at its borders 0.9 times. */
   void
   setDistanceThreshold (double distance_threshold);
@@ -306,8 +307,8 @@ public:
 
   /** \brief Gives the planes of the last segment () again, which has refined them: what is
    * passed in is replaced, and planes of other classes are not grown. For pipelines that
-   * refine what they segmented. Without a segment () of the input cloud: an error message, and
-   * the arguments stay as they are.
+   * refine what they segmented. Without a segment () of the input cloud, which has another
+   * size or time stamp if it is filled anew: an error message, and the arguments stay as they are.
    */
   void
   refine (std::vector<ModelCoefficients>& model_coefficients,
@@ -383,6 +384,10 @@ private:
   void
   warnOfUnits ();
 
+  /** \brief Whether the last call was for the input as it is now. */
+  bool
+  isSegmented () const;
+
   void
   fillModels (std::vector<ModelCoefficients>& model_coefficients,
               std::vector<PointIndices>& inlier_indices);
@@ -408,7 +413,7 @@ private:
   Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
   std::uint32_t width_ = 0;
-  bool is_warned_ = false;
+  bool is_warned_of_normals_ = false, is_warned_of_range_ = false;
   std::vector<double> rms_;
 
   // Memory that is used again:

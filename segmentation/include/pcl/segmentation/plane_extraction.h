@@ -41,7 +41,7 @@ struct PlaneExtractionParameters {
   double distance_threshold = 0.;
   /** Points with a larger curvature start no cluster; with more than half of it, they may
    * join a plane whatever their normal. */
-  float maximum_curvature = 0.08f;
+  double maximum_curvature = 0.08;
   /** Planes with a smaller share of normals near their own are dropped where their points are
    * far off. */
   double min_near_normals = 0.75;
@@ -63,7 +63,7 @@ struct PlaneExtractionParameters {
 /** \brief Why candidates did not become planes: how many in the last frame. What is left over is
  * tried twice, so that a surface may be two candidates. */
 struct PlaneRejections {
-  /** The plane had too few points. */
+  /** The plane had too few points, or points in a line, which determine none. */
   std::size_t too_few_points = 0;
   /** The normals turn with the place, on the candidate or around it, or too many of them
    * differ from that of the plane: a part of a curved or uneven surface. */

@@ -160,6 +160,20 @@ struct PlaneMoments {
     return second().inverse() * first();
   }
 
+  /** \brief Whether noise leaves the direction of the best plane, m * p = 1, certain to half a
+   * radian in the standard deviation; points in a line do not. */
+  bool
+  determine (const Eigen::Vector3d& m) const
+  {
+    constexpr double max_relative_error = 0.5, least_ratio = 1e-12;
+    // The covariance of m is the inverse of the second moments.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (
+        second(), Eigen::EigenvaluesOnly);
+    const double least = solver.eigenvalues()[0];
+    return least > least_ratio * solver.eigenvalues()[2] &&
+           least * m.squaredNorm() * max_relative_error * max_relative_error > 1.;
+  }
+
   /** \brief The weighted sum of the squares of m * p - 1. */
   double
   squaredErrors (const Eigen::Vector3d& m) const

@@ -44,13 +44,28 @@ public:
            std::size_t min_points,
            bool connected);
 
-  const std::vector<Component>&
-  components () const
+  std::size_t
+  size () const
   {
-    return components_;
+    return components_.size();
+  }
+
+  Component
+  operator[] (std::size_t component) const
+  {
+    const Members& members = components_[component];
+    return {&members_[members.first],
+            &members_[members.first] + members.number,
+            members.samples};
   }
 
 private:
+  /** Those of a component, in \ref members_. */
+  struct Members {
+    std::uint32_t first, number;
+    std::size_t samples;
+  };
+
   void
   findPieces (const PlaneSamples& samples, bool connected);
 
@@ -74,7 +89,7 @@ private:
    * where these go in \ref members_. */
   std::vector<std::uint32_t> samples_, places_;
   std::vector<TilePart> members_;
-  std::vector<Component> components_;
+  std::vector<Members> components_;
 };
 
 } // namespace rgbd_planes

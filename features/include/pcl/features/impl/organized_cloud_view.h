@@ -66,16 +66,14 @@ normalOutput (pcl::PointCloud<PointT>& cloud)
       &first.normal_x, &first.curvature, stride, std::is_same_v<PointT, pcl::Normal>};
 }
 
-/** \brief Whether there are normals, but none of unit length, to 5 %, among about a hundred
- * points from all over the cloud. */
+/** \brief Whether there are normals, but none of unit length, to 5 %. */
 template <typename PointT>
 bool
 noneIsUnit (const pcl::PointCloud<PointT>& normals)
 {
-  const std::size_t stride = normals.size() / 100 + 1;
   bool any = false;
-  for (std::size_t i = 0; i < normals.size(); i += stride) {
-    const float length = std::sqrt (squaredRange (&normals[i].normal_x));
+  for (const PointT& normal : normals) {
+    const float length = std::sqrt (squaredRange (&normal.normal_x));
     if (std::abs (length - 1.f) < 0.05f)
       return false;
     any |= length > 0.f && std::isfinite (length);

@@ -108,20 +108,22 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
   constexpr double farther_than_any_room = 100.;
   const Eigen::Vector3d sensor = sensor_origin_.head<3>().template cast<double>();
   const auto& moments = plane_extraction_.moments();
-  const char* warning = nullptr;
-  if (moments.empty()) {
-    if (rgbd_planes::noneIsUnit (*normals_))
-      warning =
-          "There are no planes, for no normal has a length of 1: scale the normals "
-          "of setInputNormals.";
-  }
-  else if (std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
-             return (m.mean() - sensor).norm() > farther_than_any_room;
-           }))
-    warning = "All planes are more than 100 m away: give points in metres, are these "
-              "millimetres?";
-  if (rgbd_planes::isFirstInARow (warning != nullptr, is_warned_))
-    PCL_WARN ("[pcl::%s] %s\n", getClassName().c_str(), warning);
+  const bool have_no_length = moments.empty() && rgbd_planes::noneIsUnit (*normals_);
+  if (rgbd_planes::isFirstInARow (have_no_length, is_warned_of_normals_))
+    PCL_WARN (
+        "[pcl::%s] There are no planes, for no normal has a length of 1: scale the "
+        "normals of setInputNormals.\n",
+        getClassName().c_str());
+  const bool are_far =
+      !moments.empty() &&
+      std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
+        return (m.mean() - sensor).norm() > farther_than_any_room;
+      });
+  if (rgbd_planes::isFirstInARow (are_far, is_warned_of_range_))
+    PCL_WARN (
+        "[pcl::%s] All planes are more than 100 m away: give points in metres, are "
+        "these millimetres?\n",
+        getClassName().c_str());
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -282,6 +284,17 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segmentAndRefine (
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
+bool
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::isSegmented() const
+{
+  const std::size_t points = plane_extraction_.labels().size();
+  // Of bad input, there are none.
+  return is_segmented_ &&
+         (points == 0 || (points == input_->size() && width_ == input_->width &&
+                          header_.stamp == input_->header.stamp));
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
 void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::refine (
     std::vector<ModelCoefficients>& model_coefficients,
@@ -289,7 +302,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::refine (
     PointCloudLPtr& labels,
     std::vector<PointIndices>& label_indices)
 {
-  if (!is_segmented_) {
+  if (!isSegmented()) {
     PCL_ERROR (
         "[pcl::%s::refine] The input cloud is not segmented: call segment () first, "
         "for refine () gives the planes that it found.\n",
