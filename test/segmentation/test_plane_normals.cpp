@@ -124,4 +124,8 @@ TEST (PlaneNormals, AnotherLengthOfAllIsTold)
     EXPECT_EQ (warningFor (pcl::make_shared<Normals> (
                    320, 240, pcl::Normal (missing, missing, missing))),
                "");
+  const Normals::Ptr one = estimateNormals (scene.cloud);
+  for (std::size_t i = 2; i < one->size(); ++i)
+    (*one)[i].getNormalVector3fMap() *= 100.f;
+  EXPECT_EQ (warningFor (one), "");
 }
