@@ -25,8 +25,8 @@ preparePictures (const EvaluationCommand& command,
                  const std::vector<FrameSource>& sources,
                  OutputFiles& files)
 {
-  for (const auto& input : command.inputs)
-    refuseInputFolder (input.input, *command.pictures);
+  for (const auto& source : sources)
+    refuseInputFolder (source.folders(), *command.pictures);
   std::set<std::string> names;
   for (const auto& source : sources)
     for (std::size_t i = 0; i < source.size(); ++i)

@@ -117,6 +117,17 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   frames_.resize (std::min (frames_.size(), options_.max_frames));
 }
 
+std::set<fs::path>
+FrameSource::folders() const
+{
+  std::set<fs::path> folders;
+  std::error_code error; // of URIs of cameras
+  for (const auto& file : files_)
+    if (fs::exists (file, error))
+      folders.insert (file.parent_path() / ".");
+  return folders;
+}
+
 Frame
 FrameSource::read (std::size_t i) const
 {

@@ -152,18 +152,14 @@ OutputFiles::commit()
 }
 
 void
-refuseInputFolder (const fs::path& input, const fs::path& output)
+refuseInputFolder (const std::set<fs::path>& inputs, const fs::path& output)
 {
   std::error_code error;
-  if (fs::is_directory (input, error) && fs::equivalent (input, output, error))
-    throw AppError (output.string() +
-                    ": is the INPUT folder, whose next run would take the results for "
-                    "frames; choose another folder");
-  if (fs::is_regular_file (input, error) &&
-      fs::equivalent (input.parent_path() / ".", output, error))
-    throw AppError (output.string() +
-                    ": is the folder of INPUT, where the results may replace files of "
-                    "the recording; choose another folder");
+  for (const auto& input : inputs)
+    if (fs::is_directory (input, error) && fs::equivalent (input, output, error))
+      throw AppError (output.string() +
+                      ": is a folder of INPUT, where results may replace files of the "
+                      "recording or be taken for frames; choose another folder");
 }
 
 } // namespace rgbd_planes

@@ -121,10 +121,10 @@ readOptions (int argc, char** argv)
 
 /** These files appear last. */
 void
-prepareOutput (const Options& options, OutputFiles& files)
+prepareOutput (const Options& options, const FrameSource& source, OutputFiles& files)
 {
   if (options.output) {
-    refuseInputFolder (options.input.input, *options.output);
+    refuseInputFolder (source.folders(), *options.output);
     files.createFolder (*options.output);
     files.reserve (*options.output / "result.json");
     files.reserve (*options.output / "planes.csv");
@@ -215,7 +215,7 @@ segmentPlanes (int argc, char** argv)
   files.protect (source.front().files());
   if (options->corrected)
     files.protect ({options->corrected->file});
-  prepareOutput (*options, files);
+  prepareOutput (*options, source.front(), files);
 
   InputNotices notices (options->segmenter);
   const auto summaries = segmentFrames (source, *options, notices, files);

@@ -226,8 +226,7 @@ PlaneViewer::save()
   try {
     OutputFiles files;
     // What the user saves may lie beside a file: FRAME_view is no name of a recording.
-    if (std::filesystem::is_directory (options_.input))
-      refuseInputFolder (options_.input, options_.output);
+    refuseInputFolder ({options_.input}, options_.output);
     files.createFolder (options_.output);
     const auto file = options_.output / (frame_.summary().name + "_view");
     files.write (file.string() + ".png", encodePng (window_.picture()));

@@ -188,8 +188,8 @@ TEST_F (EvaluatePlanes, BadUsage)
              asciiPcd ("x y z", 2, 2, "0 0 1\n0 0 1\n0 0 1\n0 0 1\n"));
   expectRefused ("in --resolution vga", "40 x 40 pixels are needed; use larger");
   writeFile (folder_ / "in/frame.pcd", "");
-  expectRefused ("in --pictures in", "is the INPUT folder");
-  expectRefused ("in/frame.pcd --pictures in", "is the folder of INPUT");
+  expectRefused ("in --pictures in", "is a folder of INPUT");
+  expectRefused ("in/frame.pcd --pictures in", "is a folder of INPUT");
   expectRefused ("sim:table_single in --json in/frame.pcd", "is an input");
   std::filesystem::create_directory (folder_ / "other");
   writeFile (folder_ / "other/frame.pcd", "");

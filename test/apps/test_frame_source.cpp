@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 using namespace pcl::rgbd_planes;
@@ -148,7 +149,10 @@ TEST (FrameSource, FilesAreKnown)
   options.max_frames = 1;
   EXPECT_EQ (FrameSource (options).files(),
              (std::vector<std::filesystem::path>{folder / "1.pcd", folder / "2.pcd"}));
+  EXPECT_EQ (FrameSource (options).folders(),
+             std::set<std::filesystem::path>{folder / "."});
   EXPECT_TRUE (FrameSource (inputOf ("sim:room")).files().empty());
+  EXPECT_TRUE (FrameSource (inputOf ("sim:room")).folders().empty());
 }
 
 TEST (FrameSource, FramesAreLimited)
@@ -310,6 +314,8 @@ TEST_F (TumFolder, FilesAreKnown)
              (std::vector<std::filesystem::path>{folder_ / "depth.txt",
                                                  folder_ / "depth/10.5.png",
                                                  folder_ / "depth/9.5.png"}));
+  EXPECT_EQ (FrameSource (inputOf (folder_.path())).folders(),
+             (std::set<std::filesystem::path>{folder_ / ".", folder_ / "depth/."}));
 }
 
 TEST_F (TumFolder, CameraIsKnown)

@@ -140,16 +140,12 @@ TEST (OutputFiles, FoldersOfInputsAreRefused)
 {
   const TemporaryFolder folder;
   fs::create_directories (folder / "in/deeper");
-  writeFile (folder / "in/1.pcd", "");
-  for (const std::string input : {"in", "in/1.pcd"}) {
-    EXPECT_THROW (refuseInputFolder (folder / input, folder / "in"), AppError);
-    EXPECT_THROW (refuseInputFolder (folder / input, folder / "in/deeper/.."),
-                  AppError);
-    for (const std::string output : {"", "in/deeper", "missing"})
-      EXPECT_NO_THROW (refuseInputFolder (folder / input, folder / output)) << output;
-  }
-  for (const std::string input : {"sim:room", "live:", ""})
-    EXPECT_NO_THROW (refuseInputFolder (input, "."));
+  writeFile (folder / "file", "");
+  const std::set<fs::path> inputs{folder / "file", folder / "in/.", "sim:room"};
+  EXPECT_THROW (refuseInputFolder (inputs, folder / "in"), AppError);
+  EXPECT_THROW (refuseInputFolder (inputs, folder / "in/deeper/.."), AppError);
+  for (const std::string output : {"", "file", "in/deeper", "missing"})
+    EXPECT_NO_THROW (refuseInputFolder (inputs, folder / output)) << output;
 }
 
 TEST (OutputFiles, ImpossiblePlacesAreRefused)

@@ -219,7 +219,7 @@ TEST_F (SegmentUsage, UnwritablePlacesAreRefused)
              std::vector<std::string>{"walls_planes.png"});
   std::filesystem::create_directory (folder_ / "in");
   writeTwoWalls ("in/walls.png");
-  expectRefused ("in --output in/../in" + camera_, "is the INPUT folder");
+  expectRefused ("in --output in/../in" + camera_, "is a folder of INPUT");
 }
 
 TEST_F (SegmentUsage, TwoResultsInOneFileAreRefused)
@@ -242,8 +242,10 @@ TEST_F (SegmentUsage, InputsAreNotReplaced)
     writeTwoWalls (name);
   expectRefused ("walls.png --json walls.png" + camera_, "walls.png: is an input");
   expectRefused ("in --frames 1 --json in/2.png" + camera_, "in/2.png: is an input");
-  expectRefused ("walls.png --output ." + camera_, "is the folder of INPUT");
-  expectRefused ("in/1.png --output in" + camera_, "is the folder of INPUT");
+  expectRefused ("walls.png --output ." + camera_, "is a folder of INPUT");
+  expectRefused ("in/1.png --output in" + camera_, "is a folder of INPUT");
+  writeFile (folder_ / "depth.txt", "1.5 in/1.png\n");
+  expectRefused (". --output in" + camera_, "in: is a folder of INPUT");
   EXPECT_EQ (run ("in/1.png --output ." + camera_).code, 0);
   writeFile (folder_ / "warp.pcd", asciiPcd ("intensity", 2, 2, "0\n0\n0\n0\n"));
   expectRefused ("sim:room --corrected warp.pcd --json warp.pcd",

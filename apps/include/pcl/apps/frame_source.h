@@ -16,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,10 @@ public:
   {
     return files_;
   }
+
+  /** \brief The folders that hold files(). */
+  std::set<std::filesystem::path>
+  folders () const;
 
   /** \brief When frame \a i was recorded, seconds; only TUM RGB-D folders know. */
   std::optional<double>

@@ -70,11 +70,11 @@ private:
   std::vector<std::filesystem::path> created_folders_;
 };
 
-/** \brief AppError where \a output is the folder that frames are read from: the next run would
- * take what is written there for frames. Likewise where it is the folder of the file \a input:
- * what is there may belong to the recording. */
+/** \brief AppError where \a output is one of the folders \a inputs, from which frames are read:
+ * the next run would take what is written there for frames, or it may replace what belongs to
+ * the recording. */
 void
-refuseInputFolder (const std::filesystem::path& input,
+refuseInputFolder (const std::set<std::filesystem::path>& inputs,
                    const std::filesystem::path& output);
 
 } // namespace rgbd_planes
