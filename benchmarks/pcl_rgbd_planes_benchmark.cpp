@@ -124,7 +124,6 @@ runBenchmarks (int argc, char** argv)
   benchmark::Shutdown();
   if (file)
     files.write (*file, results.json());
-  flushOutput();
   files.commit();
 }
 

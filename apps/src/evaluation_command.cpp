@@ -101,9 +101,10 @@ runEvaluation (const EvaluationCommand& command,
   forEachFrame (sources, [&] (const Frame& frame) { add (frame, files); });
   if (command.json)
     files.write (*command.json, json());
-  std::cout << table();
-  flushOutput();
+  const std::string printed = table();
   files.commit();
+  std::cout << printed;
+  flushOutput();
 }
 
 } // namespace rgbd_planes

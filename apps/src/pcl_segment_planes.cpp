@@ -42,8 +42,8 @@ const char usage[] =
 
 Finds the planes of RGB-D frames, objects on them, and obstacles. Prints a list of them and
 the time of each stage, with memory in place: the first frame is computed twice. Writes
-pictures, clouds and tables where --output says so. Files appear when all frames are done;
-after an error there are none.
+pictures, clouds and tables where --output says so. Files appear when all frames are done,
+before the list is printed; after an error until then there are none.
 
   pcl_segment_planes my.pcd --output result
   pcl_segment_planes depth.png --intrinsics 525,525,319.5,239.5 --depth-scale 1000
@@ -231,6 +231,7 @@ segmentPlanes (int argc, char** argv)
   }
   if (options->json)
     files.write (*options->json, json);
+  files.commit();
   for (const auto& summary : summaries) {
     printPlanes (std::cout, summary);
     if (options->segmenter.find_objects)
@@ -240,7 +241,6 @@ segmentPlanes (int argc, char** argv)
   }
   printStageTimes (std::cout, summaries);
   flushOutput();
-  files.commit();
   for (const auto& line : notices.lines())
     std::cerr << "pcl_segment_planes: " << line << '\n';
 }

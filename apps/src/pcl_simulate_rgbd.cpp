@@ -162,11 +162,10 @@ simulateRgbd (int argc, char** argv)
   write ("_depth.png", encodePng (depthPicture (cloud)));
   write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));
   stopIfInterrupted();
+  files.commit();
   std::cout
       << "Wrote " << (options->output / options->name).string()
       << ".pcd, _truth.pcd, _truth.json, _colour.png, _depth.png and _planes.png\n";
-  flushOutput();
-  files.commit();
 }
 
 } // namespace

@@ -17,7 +17,7 @@ class AppError : public std::runtime_error {
 };
 
 /** \brief Throws AppError where standard output did not take all that was printed. To be
- * called before files are committed. */
+ * called when files are committed: who reads only the start of it gets them all the same. */
 void
 flushOutput ();
 

@@ -41,10 +41,11 @@ readEvaluationCommand (int argc,
                        const std::string& usage,
                        const boost::program_options::options_description& own);
 
-/** \brief Shows all frames of all inputs to \a add, then prints \a table () and writes
- * \a json () where --json says. Nothing is written after an AppError.
- * \param[in] add may write to the folder of --pictures, which is there; pictures appear with
- * the table, before the file of --json
+/** \brief Shows all frames of all inputs to \a add, then writes \a json () where
+ * --json says and prints \a table (). After an AppError nothing is written, unless it is that
+ * the table could not be printed.
+ * \param[in] add may write to the folder of --pictures, which is there; pictures appear
+ * before the file of --json
  * \param[in] before each of them is shown all frames first, one after the other
  */
 void
