@@ -140,12 +140,20 @@ OutputFiles::fill (const File& file, const std::string& contents)
 void
 OutputFiles::commit()
 {
+  std::vector<fs::path> appeared;
   for (; !files_.empty(); files_.pop_back()) {
-    std::error_code error;
-    fs::rename (files_.back().temporary, files_.back().path, error);
-    if (error)
-      throw AppError (files_.back().path.string() + ": cannot write this file: " +
-                      error.message() + "; choose another place");
+    const auto& [path, temporary, is_reserved] = files_.back();
+    std::error_code error, ignored;
+    const bool is_new = !fs::exists (path, ignored);
+    fs::rename (temporary, path, error);
+    if (error) {
+      for (const auto& file : appeared)
+        fs::remove (file, ignored);
+      throw AppError (path.string() + ": cannot write this file: " + error.message() +
+                      "; choose another place");
+    }
+    if (is_new)
+      appeared.push_back (path);
   }
   place_of_path_.clear();
   created_folders_.clear();

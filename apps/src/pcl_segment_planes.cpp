@@ -43,7 +43,7 @@ const char usage[] =
 Finds the planes of RGB-D frames, objects on them, and obstacles. Prints a list of them and
 the time of each stage, with memory in place: the first frame is computed twice. Writes
 pictures, clouds and tables where --output says so. Files appear when all frames are done,
-before the list is printed; after an error until then there are none.
+before the list is printed; after an error until then there are no new ones.
 
   pcl_segment_planes my.pcd --output result
   pcl_segment_planes depth.png --intrinsics 525,525,319.5,239.5 --depth-scale 1000

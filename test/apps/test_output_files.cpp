@@ -46,6 +46,23 @@ TEST (OutputFiles, LeaveNothingWithoutCommit)
   EXPECT_EQ (listFolder (folder / "a"), Names{});
 }
 
+TEST (OutputFiles, LeaveNothingNewAfterAFailedCommit)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "old.txt", "old");
+  {
+    OutputFiles files;
+    files.createFolder (folder / "a");
+    files.write (folder / "taken.txt", "1");
+    files.write (folder / "a/new.txt", "2");
+    files.write (folder / "old.txt", "3");
+    fs::create_directory (folder / "taken.txt");
+    EXPECT_THROW (files.commit(), AppError);
+  }
+  EXPECT_EQ (listFolder (folder.path()), (Names{"old.txt", "taken.txt"}));
+  EXPECT_EQ (readFile (folder / "old.txt"), "3");
+}
+
 TEST (OutputFiles, InputsAreNotReplaced)
 {
   const TemporaryFolder folder;

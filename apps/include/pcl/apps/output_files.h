@@ -45,7 +45,8 @@ public:
   void
   write (const std::filesystem::path& file, const std::string& contents);
 
-  /** \brief Puts the files in place, those that were reserved or written first last. */
+  /** \brief Puts the files in place, those that were reserved or written first last. Where one
+   * cannot be, the others go again; those that they replaced do not come back. */
   void
   commit ();
 
