@@ -21,7 +21,6 @@ catchInterruption ()
   struct sigaction interrupt = {};
   interrupt.sa_handler = [] (int) { interrupted = 1; };
   // Without SA_RESTART: who waits for a pipe wakes up.
-  interrupt.sa_flags = static_cast<int> (SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before = {};
     sigaction (signal, nullptr, &before);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "files.h"
+
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/detection_comparison.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/normal_comparison.h>
 #include <pcl/apps/object_comparison.h>
+#include <pcl/apps/output_files.h>
 #include <pcl/apps/plane_comparison.h>
 
 #include <gtest/gtest.h>
@@ -56,7 +59,32 @@ addInterrupted (Comparison comparison)
   std::exit (0);
 }
 
+/** Ends the program: one that writes files gets the same signal again and again. */
+void
+writeInterrupted (const std::filesystem::path& file)
+{
+  catchInterruption();
+  const int code = runApp ("app", [&] {
+    OutputFiles files;
+    files.write (file, "contents");
+    for (const int signal : {SIGINT, SIGINT, SIGTERM, SIGTERM})
+      std::raise (signal);
+    stopIfInterrupted();
+    files.commit();
+  });
+  std::exit (code);
+}
+
 } // namespace
+
+TEST (Interruption, ImpatienceLeavesNoTemporaryFiles)
+{
+  const TemporaryFolder folder;
+  EXPECT_EXIT (writeInterrupted (folder / "result.csv"),
+               testing::ExitedWithCode (1),
+               "app: interrupted; nothing was written");
+  EXPECT_EQ (listFolder (folder.path()), std::vector<std::string>{});
+}
 
 TEST (Interruption, ComparisonsStopWithinAFrame)
 {
