@@ -23,6 +23,7 @@
 #include <memory>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -38,24 +39,33 @@ struct DepthCamera {
   float units_per_metre;
   /** The intrinsics are a guess that holds for 640 x 480 only. */
   bool guessed;
+  /** Whether it was told that they seem to be those of other images. */
+  std::shared_ptr<bool> doubt_is_told;
 };
 
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readDepthImage (const fs::path& file, const DepthCamera& camera)
 {
   const DepthImage image = readDepthPng (file);
-  const auto misfit = [&] (const std::string& what) {
-    return AppError (file.string() + ": has " + std::to_string (image.width) + " x " +
-                     std::to_string (image.height) + " pixels, " + what);
-  };
+  const std::string size = file.string() + ": has " + std::to_string (image.width) +
+                           " x " + std::to_string (image.height) + " pixels, ";
   if (camera.guessed && (image.width != 640 || image.height != 480))
-    throw misfit ("for which no camera is known: add --intrinsics fx,fy,cx,cy");
-  const auto width = static_cast<float> (image.width);
-  const auto height = static_cast<float> (image.height);
+    throw AppError (size +
+                    "for which no camera is known: add --intrinsics fx,fy,cx,cy");
   const auto& [fx, fy, cx, cy] = camera.intrinsics;
-  if (std::fabs (cx - 0.5f * width) > width || std::fabs (cy - 0.5f * height) > height)
-    throw misfit ("far from which the principal point of --intrinsics is: give "
-                  "fx,fy,cx,cy of these images");
+  // How far the principal point is from the middle, in sizes of the image.
+  const float off =
+      std::max (std::fabs (cx / static_cast<float> (image.width) - 0.5f),
+                std::fabs (cy / static_cast<float> (image.height) - 0.5f));
+  if (off > 1.f)
+    throw AppError (size +
+                    "far from which the principal point of --intrinsics is: give "
+                    "fx,fy,cx,cy of these images");
+  if (off > 0.2f && !std::exchange (*camera.doubt_is_told, true))
+    std::cerr << size
+              << "far from whose middle the principal point of --intrinsics is: give "
+                 "fx,fy,cx,cy of these images in full, unless they are parts of larger "
+                 "ones\n";
   return toCloud (image, camera.intrinsics, camera.units_per_metre);
 }
 
@@ -253,7 +263,8 @@ FrameSource::addTumFolder (const fs::path& folder)
   const bool guessed = !options_.intrinsics;
   options_.intrinsics = options_.intrinsics.value_or (tum_camera);
   options_.units_per_metre = options_.units_per_metre.value_or (5000.f);
-  const DepthCamera camera{*options_.intrinsics, *options_.units_per_metre, guessed};
+  const DepthCamera camera{
+      *options_.intrinsics, *options_.units_per_metre, guessed, camera_doubt_is_told_};
   files_.push_back (list);
   for (const auto& [time, path] : images) {
     files_.push_back (path);
@@ -289,7 +300,8 @@ FrameSource::addFile (const fs::path& file)
   if (!options_.units_per_metre)
     throw AppError (file.string() + ": a depth image needs its unit: add --depth-scale "
                                     "UNITS_PER_M (1000 for millimetres)");
-  const DepthCamera camera{*options_.intrinsics, *options_.units_per_metre, false};
+  const DepthCamera camera{
+      *options_.intrinsics, *options_.units_per_metre, false, camera_doubt_is_told_};
   frames_.push_back ({file.stem(), [=] (Frame& frame) {
                         frame.cloud = readDepthImage (file, camera);
                       }});

@@ -214,6 +214,26 @@ TEST (FrameSource, DepthImagesNeedTheirCamera)
   }
 }
 
+TEST (FrameSource, IntrinsicsOfImagesOfAnotherSizeAreToldOnce)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"1.png", "2.png"})
+    writePng (folder / name, 32, std::vector<std::uint16_t> (32 * 24, 1000));
+  InputOptions options = depthInputOf (folder.path());
+  const auto notice = [&] (float cx, float cy) {
+    options.intrinsics = Intrinsics{30.f, 30.f, cx, cy};
+    testing::internal::CaptureStderr();
+    EXPECT_EQ (messageOf (options), "");
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ (notice (15.5f, 11.5f), "");
+  EXPECT_EQ (notice (10.f, 16.f), "");
+  const std::string half_size = notice (7.5f, 5.5f);
+  EXPECT_TRUE (contains (half_size, "1.png: has 32 x 24 pixels")) << half_size;
+  EXPECT_EQ (half_size.find ('\n'), half_size.size() - 1) << half_size;
+  EXPECT_NE (notice (16.f, 23.5f), "");
+}
+
 TEST (FrameSource, CloudsTakeNoCamera)
 {
   const TemporaryFolder folder;

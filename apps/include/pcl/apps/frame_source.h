@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -136,6 +137,8 @@ private:
   InputOptions options_;
   std::vector<std::filesystem::path> files_;
   std::vector<StoredFrame> frames_;
+  /** Of depth images that are read, also by copies. */
+  std::shared_ptr<bool> camera_doubt_is_told_ = std::make_shared<bool> (false);
 };
 
 } // namespace rgbd_planes
