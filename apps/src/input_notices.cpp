@@ -53,6 +53,7 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
         return isMeasured (point.data) &&
                squaredRange (point.data) > options_.depth_noise.maxSquaredRange();
       }));
+  unmeasured_frames_ += summary.measured_points == 0;
   frames_elsewhere_ += !isInCameraFrame (cloud);
   if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
       (options_.find_objects || options_.find_obstacles))
@@ -87,6 +88,12 @@ InputNotices::lines() const
                         "noise without a limit") %
          out_of_range % options_.depth_noise.max_range % options_.depth_noise.constant %
          options_.depth_noise.quadratic % options_.depth_noise.normal_scatter)
+            .str());
+  if (unmeasured_frames_ > 0)
+    lines.push_back (
+        (boost::format ("no measured point in %d of %d frames: all depth is "
+                        "missing there; check the camera or the recording") %
+         unmeasured_frames_ % frames_)
             .str());
   if (frames_elsewhere_ > 0)
     lines.push_back (

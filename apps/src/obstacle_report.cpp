@@ -31,9 +31,10 @@ printObstacles (std::ostream& out, const FrameSummary& frame)
 {
   out << boost::format ("%s: %d obstacles%s\n") % frame.name % frame.obstacles.size() %
              (frame.floor_found.value_or (false) ? ""
-                                                 : ", no floor found: nothing is safe; "
-                                                   "with the right --base-transform it "
-                                                   "is at z = 0");
+              : frame.measured_points == 0 ? ", no measured point: nothing is safe"
+                                           : ", no floor found: nothing is safe; with "
+                                             "the right --base-transform "
+                                             "it is at z = 0");
   if (frame.obstacles.empty())
     return;
   out << "  obstacle   nearest m   direction deg   centroid in the base frame    "

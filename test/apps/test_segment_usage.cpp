@@ -75,6 +75,25 @@ TEST_F (SegmentUsage, DepthThatOverflowsIsMissing)
   EXPECT_EQ (result.err.find ("--depth-noise"), std::string::npos) << result.err;
 }
 
+TEST_F (SegmentUsage, FramesWithoutDepthAreTold)
+{
+  std::filesystem::create_directory (folder_ / "in");
+  writeTwoWalls ("in/1.png");
+  writePng (folder_ / "in/2.png", 160, std::vector<std::uint16_t> (160 * 120));
+  const Outcome some = run ("in --obstacles --base-transform 0,0,1,0,0,0" + camera_);
+  EXPECT_EQ (some.code, 0);
+  EXPECT_EQ (some.err,
+             "pcl_segment_planes: no measured point in 1 of 2 frames: all depth is "
+             "missing there; check the camera or the recording\n");
+  EXPECT_NE (some.out.find ("2: 0 obstacles, no measured point: nothing is safe\n"),
+             std::string::npos)
+      << some.out;
+  writeFile (folder_ / "nan.pcd",
+             asciiPcd ("x y z", 2, 2, "nan nan nan\nnan nan nan\n0 0 0\n0 0 0\n"));
+  EXPECT_NE (run ("nan.pcd").err.find ("no measured point in 1 of 1 frames"),
+             std::string::npos);
+}
+
 TEST_F (SegmentUsage, CloudsInOtherFramesThanTheCamerasAreTold)
 {
   const auto scene = simulate ("room", 1, Sensor::kinect);
