@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/depth_correction.h>
+#include <pcl/apps/frame_files.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/quiet_pcl.h>
 #include <pcl/common/io.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 namespace po = boost::program_options;
@@ -42,7 +42,7 @@ readCorrected (const po::variables_map& values)
     return CorrectedOption{WarpSource::frame, {}, {}};
   if (source == "camera")
     return CorrectedOption{WarpSource::camera, {}, {}};
-  if (std::filesystem::path (source).extension() != ".pcd")
+  if (!hasExtension (source, ".pcd"))
     throw AppError ("--corrected: '" + source +
                     "' must be frame, camera or a .pcd file");
   CorrectedOption option{WarpSource::file, source, readIntensityPcd (source)};

@@ -58,20 +58,27 @@ isMadeOfFrame (const fs::path& file)
   for (const std::string ending : {"_truth", "_view"})
     if (boost::ends_with (path, ending)) {
       const std::string frame = path.substr (0, path.size() - ending.size());
-      if (fs::exists (frame + ".pcd") || fs::exists (frame + ".png"))
-        return true;
+      for (const char* extension : {".pcd", ".png", ".PCD", ".PNG"})
+        if (fs::exists (frame + extension))
+          return true;
     }
   return false;
 }
 
 } // namespace
 
+bool
+hasExtension (const fs::path& file, const std::string& extension)
+{
+  return boost::iequals (file.extension().string(), extension);
+}
+
 std::vector<fs::path>
 listFrames (const fs::path& folder, const std::string& extension)
 {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator (folder))
-    if (entry.path().extension() == extension && !entry.is_directory() &&
+    if (hasExtension (entry.path(), extension) && !entry.is_directory() &&
         !boost::starts_with (entry.path().filename().string(), ".") &&
         !isMadeOfFrame (entry.path()))
       files.push_back (entry.path());

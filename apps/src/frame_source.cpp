@@ -280,8 +280,7 @@ void
 FrameSource::addFile (const fs::path& file)
 {
   files_.push_back (file);
-  const auto extension = file.extension();
-  if (extension == ".pcd") {
+  if (hasExtension (file, ".pcd")) {
     refuseDepthOptions (options_, file);
     for (const auto& truth : truthFiles (file))
       files_.push_back (truth);
@@ -291,7 +290,7 @@ FrameSource::addFile (const fs::path& file)
                         }});
     return;
   }
-  if (extension != ".png")
+  if (!hasExtension (file, ".png"))
     throw AppError (file.string() + ": neither a .pcd nor a .png file");
   if (!options_.intrinsics)
     throw AppError (file.string() +

@@ -94,6 +94,19 @@ TEST (FrameSource, FilesComeInNaturalOrder)
                  "1", "2", "007", "10", "a9b9", "a9b10", "a10b2", "\u00e4"}));
 }
 
+TEST (FrameSource, EndingsMayBeInLargeLetters)
+{
+  const TemporaryFolder images, clouds;
+  writePng (images / "1.PNG", 2, {1, 2, 3, 4});
+  writePng (images / "2.png", 2, {1, 2, 3, 4});
+  EXPECT_EQ (namesOf (FrameSource (depthInputOf (images.path()))),
+             (std::vector<std::string>{"1", "2"}));
+  for (const char* name : {"3.PCD", "3_view.pcd", "4.Pcd"})
+    writeFile (clouds / name, asciiPcd ("x y z", 2, 2, square));
+  EXPECT_EQ (namesOf (FrameSource (inputOf (clouds.path()))),
+             (std::vector<std::string>{"3", "4"}));
+}
+
 TEST (FrameSource, ColourImagesBetweenDepthImagesAreNoFrames)
 {
   const TemporaryFolder folder;

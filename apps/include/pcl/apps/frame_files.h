@@ -10,8 +10,12 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief The files of a folder that end in \a extension, in the natural order of their names
- * (2.png before 10.png), without hidden ones and without NAME_truth.pcd, the ground truth
+/** \brief Whether the name of \a file ends in \a extension, as .pcd, in small or large letters. */
+bool
+hasExtension (const std::filesystem::path& file, const std::string& extension);
+
+/** \brief The files of a folder for which hasExtension() holds, in the natural order of their
+ * names (2.png before 10.png), without hidden ones and without NAME_truth.pcd, the ground truth
  * that pcl_simulate_rgbd writes beside NAME.pcd. */
 std::vector<std::filesystem::path>
 listFrames (const std::filesystem::path& folder, const std::string& extension);
