@@ -69,22 +69,21 @@ readDepthImage (const fs::path& file, const DepthCamera& camera)
   return toCloud (image, camera.intrinsics, camera.units_per_metre);
 }
 
-/** Without the pictures of other kinds that lie between them, of which there is a word. */
-std::vector<fs::path>
-listDepthImages (const fs::path& folder)
+struct PngFiles {
+  std::vector<fs::path> depth_images;
+  std::vector<fs::path> pictures;
+};
+
+PngFiles
+listPngFiles (const fs::path& folder)
 {
   auto files = listFrames (folder, ".png");
   // A pipe can be read only once.
-  const auto others =
+  const auto pictures =
       std::stable_partition (files.begin(), files.end(), [] (const auto& file) {
         return !fs::is_regular_file (file) || !isOtherPng (file);
       });
-  if (others != files.begin() && others != files.end()) {
-    std::cerr << folder.string() << ": " << files.end() - others << " of "
-              << files.size() << " .png files are no depth images and left out\n";
-    files.erase (others, files.end());
-  }
-  return files;
+  return {{files.begin(), pictures}, {pictures, files.end()}};
 }
 
 void
@@ -238,9 +237,25 @@ FrameSource::addFolder (const fs::path& folder)
 {
   if (fs::exists (folder / "depth.txt"))
     return addTumFolder (folder);
-  auto files = listFrames (folder, ".pcd");
-  if (files.empty())
-    files = listDepthImages (folder);
+  const auto clouds = listFrames (folder, ".pcd");
+  const auto [images, pictures] = listPngFiles (folder);
+  const bool asks_for_images = options_.intrinsics || options_.units_per_metre;
+  const bool takes_images = !images.empty() && (clouds.empty() || asks_for_images);
+  const auto tell = [&] (std::size_t count, const char* what) {
+    if (count > 0)
+      std::cerr << folder.string() << ": " << count << ' ' << what << '\n';
+  };
+  if (takes_images) {
+    tell (clouds.size(),
+          ".pcd files are left out, for there is a camera of depth images");
+    tell (pictures.size(), ".png files are no depth images and left out");
+  }
+  else
+    tell (
+        images.size(),
+        "depth images are left out, for there are .pcd files; --intrinsics takes them");
+  // Of pictures alone, the first one says what is wrong.
+  const auto& files = takes_images ? images : clouds.empty() ? pictures : clouds;
   if (files.empty())
     throw AppError (folder.string() +
                     ": no .pcd, no .png and no depth.txt in this folder" +

@@ -87,7 +87,8 @@ inputHelp ()
   FILE.png          a 16-bit depth image, with --intrinsics and --depth-scale; 0 and 65535 are
                     missing depth
   FOLDER            of .pcd files, but for NAME_truth.pcd and NAME_view.pcd beside NAME.pcd or
-                    NAME.png, or else of depth images; other .png files between them are left out
+                    NAME.png, or else, or with --intrinsics, of depth images; other .png files
+                    between them are left out
   FOLDER            of a TUM RGB-D recording (it has a depth.txt)
   sim:SCENE[:SEED[:CAMERA]]
 )" +

@@ -121,10 +121,37 @@ TEST (FrameSource, ColourImagesBetweenDepthImagesAreNoFrames)
   writeColour ("2-colour.png");
   testing::internal::CaptureStderr();
   const FrameSource source (depthInputOf (folder.path()));
-  EXPECT_TRUE (
-      contains (testing::internal::GetCapturedStderr(), ": 2 of 5 .png files"));
+  EXPECT_TRUE (contains (testing::internal::GetCapturedStderr(), ": 2 .png files"));
   EXPECT_EQ (namesOf (source),
              (std::vector<std::string>{"1-depth", "2-depth", "10-depth"}));
+}
+
+TEST (FrameSource, CloudsAndDepthImagesInOneFolderAreTold)
+{
+  const TemporaryFolder folder;
+  writeFile (folder / "cloud.pcd", asciiPcd ("x y z", 2, 2, square));
+  writePng (folder / "picture.png", 2, {1, 2, 3, 4}, {8, 1, false, 0.});
+  testing::internal::CaptureStderr();
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder.path()))),
+             std::vector<std::string>{"cloud"});
+  EXPECT_EQ (testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE (contains (messageOf (depthInputOf (folder.path())), "leave them out"));
+
+  for (const char* name : {"1.png", "2.png"})
+    writePng (folder / name, 2, {1, 2, 3, 4});
+  testing::internal::CaptureStderr();
+  EXPECT_EQ (namesOf (FrameSource (inputOf (folder.path()))),
+             std::vector<std::string>{"cloud"});
+  EXPECT_TRUE (contains (testing::internal::GetCapturedStderr(),
+                         ": 2 depth images are left out, for there are .pcd files"));
+  testing::internal::CaptureStderr();
+  EXPECT_EQ (namesOf (FrameSource (depthInputOf (folder.path()))),
+             (std::vector<std::string>{"1", "2"}));
+  EXPECT_TRUE (contains (testing::internal::GetCapturedStderr(),
+                         ": 1 .pcd files are left out, for there is a camera"));
+  InputOptions options = depthInputOf (folder.path());
+  options.intrinsics.reset();
+  EXPECT_TRUE (contains (messageOf (options), "add --intrinsics"));
 }
 
 TEST (FrameSource, GroundTruthIsNoFrame)
