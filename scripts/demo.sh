@@ -5,7 +5,9 @@
 #   scripts/demo.sh INPUT [options]       whatever pcl_segment_planes takes
 # Installs what is missing and builds first.
 set -euo pipefail
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(cd "$(dirname "$0")/.." && pwd -P)
+output=$root/demo_output
+refuse() { echo "demo.sh: $1" >&2; exit 1; }
 for argument; do
   case $argument in
     -h | --help)
@@ -14,6 +16,14 @@ for argument; do
     --version)
       sed -n 's/^project(\(pcl_rgbd_planes\) VERSION \([^ ]*\).*/\1 \2/p' "$root/CMakeLists.txt"
       exit ;;
+    --ou*) refuse "$argument: results go to $output; leave it out, or run build/bin/pcl_segment_planes" ;;
+  esac
+  file=${argument#--*=}
+  file=${file#live:}
+  [ -e "$file" ] || continue
+  case $(realpath -- "$file")/ in
+    "$output"/* | "$root/build/demo_output"/*)
+      refuse "$argument: is in a folder that this script replaces; move it elsewhere" ;;
   esac
 done
 if [ $# -eq 0 ]; then
@@ -31,7 +41,6 @@ cmake -S "$root" --preset release ${generator:+-G "$generator"} >"$root/build.lo
 cmake --build "$root/build" --parallel "$(nproc)" --target pcl_segment_planes
 rm -f "$root/build.log"
 
-output=$root/demo_output
 echo "== Segmenting $1"
 rm -rf "$root/build/demo_output"
 "$root/build/bin/pcl_segment_planes" "$@" --output "$root/build/demo_output"
