@@ -13,7 +13,8 @@ mkdir "$doc"
 # The page with empty tables.
 sed '/^<!-- table:/,/^<!-- end -->/{/^<!--/!d}' "$source/doc/benchmarks.md" >"$doc/benchmarks.md"
 cp "$doc/benchmarks.md" "$work/empty.md"
-"$source/scripts/benchmark.sh" --quick "$doc"
+"$source/scripts/benchmark.sh" "$doc" --quick | tee "$work/progress"
+grep -qx "Normals of 4 frames" "$work/progress" || fail "not quick"
 # Methods as of OpenCV are there where it was when the programs were built.
 mapfile -t methods < <(grep -ho '"method": *"[^"]*"' "$BUILD"/benchmark_results/*.json |
   sed 's/.*"\(.*\)"/`\1`/' | sort -u)
@@ -63,6 +64,10 @@ mkdir "$results/speed.json"
 refuse "speed.json: is there and no regular file" "$source/scripts/benchmark.sh" --quick "$doc"
 rmdir "$results/speed.json"
 refuse "nowhere: has no benchmarks.md" "$source/scripts/benchmark.sh" "$work/nowhere"
+refuse "only one DOC" "$source/scripts/benchmark.sh" "$doc" --quick "$work/nowhere"
+refuse "--fast: is no option" "$source/scripts/benchmark.sh" "$doc" --fast
+refuse "--quick: its figures are no good for doc" "$source/scripts/benchmark.sh" --quick
+[[ $("$source/scripts/benchmark.sh" --help) == "benchmark.sh [--quick] [DOC]: "* ]] || fail "no help"
 
 # Ctrl-C goes to all processes of the script.
 set -m
