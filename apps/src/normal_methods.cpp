@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/normal_methods.h>
+#include <pcl/apps/quiet_pcl.h>
 #include <pcl/apps/stopwatch.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
@@ -34,6 +35,19 @@ makeMethod (const std::string& name, const std::shared_ptr<Estimation>& estimati
           }};
 }
 
+/** One of PCL's, which tells whenever a cloud fits no pinhole camera. */
+template <typename Estimation>
+NormalMethod
+makeQuietMethod (const std::string& name, const std::shared_ptr<Estimation>& estimation)
+{
+  return {name,
+          [compute = makeMethod (name, estimation).compute] (
+              const Cloud::ConstPtr& cloud, Normals& normals) {
+            const QuietPcl quiet;
+            return compute (cloud, normals);
+          }};
+}
+
 NormalMethod
 pclMethod (const std::string& mode,
            PclNormals::NormalEstimationMethod method,
@@ -42,7 +56,8 @@ pclMethod (const std::string& mode,
   const auto estimation = std::make_shared<PclNormals>();
   estimation->setNormalEstimationMethod (method);
   estimation->setNormalSmoothingSize (static_cast<float> (smoothing_size));
-  return makeMethod ("pcl_" + mode + '_' + std::to_string (smoothing_size), estimation);
+  return makeQuietMethod ("pcl_" + mode + '_' + std::to_string (smoothing_size),
+                          estimation);
 }
 
 } // namespace
@@ -74,7 +89,7 @@ normalMethods ()
   least_squares->setNormalSmoothingSize (10.f);
   // Its own default, 1, keeps no surfaces apart; this is that of the other modes.
   least_squares->setMaxDepthChangeFactor (0.02f);
-  methods.push_back (makeMethod ("pcl_linear_least_squares", least_squares));
+  methods.push_back (makeQuietMethod ("pcl_linear_least_squares", least_squares));
 #ifdef PCL_RGBD_PLANES_HAS_OPENCV
   for (auto& method : opencvNormalMethods())
     methods.push_back (std::move (method));

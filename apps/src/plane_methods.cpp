@@ -3,6 +3,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/plane_methods.h>
+#include <pcl/apps/quiet_pcl.h>
 #include <pcl/apps/stopwatch.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
@@ -197,7 +198,14 @@ organizedMultiPlanes ()
                                    label_indices,
                                    boundary_indices);
   };
-  return findPlanes (estimation, std::make_shared<Segmentation>(), segment);
+  const FindPlanes find =
+      findPlanes (estimation, std::make_shared<Segmentation>(), segment);
+  return [=] (const Cloud::ConstPtr& cloud,
+              unsigned min_inliers,
+              SegmentedPlanes& planes) {
+    const QuietPcl quiet; // it tells whenever a cloud fits no pinhole camera
+    find (cloud, min_inliers, planes);
+  };
 }
 
 std::string

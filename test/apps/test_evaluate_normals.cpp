@@ -10,6 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
+
 using nlohmann::json;
 
 namespace {
@@ -40,6 +43,24 @@ row (const json& results, const std::string& method, const std::string& resoluti
 }
 
 } // namespace
+
+TEST_F (EvaluateNormals, PclSaysNothingOfScansThatAreNoImageOfACamera)
+{
+  pcl::PointCloud<pcl::PointXYZ> scan (160, 120);
+  for (std::uint32_t v = 0; v < scan.height; ++v)
+    for (std::uint32_t u = 0; u < scan.width; ++u) {
+      const float azimuth = (static_cast<float> (u) - 79.5f) / 80.f;
+      const float elevation = (static_cast<float> (v) - 59.5f) / 80.f;
+      scan (u, v).getVector3fMap() =
+          2.f * Eigen::Vector3f (std::cos (elevation) * std::sin (azimuth),
+                                 std::sin (elevation),
+                                 std::cos (elevation) * std::cos (azimuth));
+    }
+  pcl::io::savePCDFileBinary (folder_ / "scan.pcd", scan);
+  const Outcome outcome = run ("scan.pcd --resolution vga");
+  EXPECT_EQ (outcome.code, 0);
+  EXPECT_EQ (outcome.err, "");
+}
 
 TEST_F (EvaluateNormals, SimulatedFrameAgainstTruth)
 {

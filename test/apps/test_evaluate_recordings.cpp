@@ -155,7 +155,9 @@ TEST_F (EvaluateRecordings, LabelledRecordings)
 {
   SKIP_WITHOUT_RECORDINGS();
   const std::string folder = synthetic::dataFolder();
-  ASSERT_EQ (run (folder + "/synpeb --resolution vga --json table.json").code, 0);
+  const Outcome outcome = run (folder + "/synpeb --resolution vga --json table.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  EXPECT_EQ (outcome.err, "");
   const json planes = results().at (0);
   EXPECT_GE (planes["correct_80"].get<double>(),
              0.8 * planes["planes_truth"].get<double>());
