@@ -26,10 +26,11 @@ addCorrectedOption (po::options_description& options)
   options.add_options() (
       "corrected",
       po::value<std::string>()->value_name ("frame|camera|FILE"),
-      "points corrected by DepthWarpCorrection: the planes of the frame itself tell "
-      "the error of depth, or those of all frames, which are of one camera then; they "
-      "are found on points as measured, and once more on points that these corrected. "
-      "Or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote for this camera");
+      "take points that DepthWarpCorrection corrects. The planes of the frame itself "
+      "tell the error of depth, or those of all frames, which are of one camera then; "
+      "they are found on points as measured, and once more on those that these "
+      "corrected. Or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote for the "
+      "camera");
 }
 
 std::optional<CorrectedOption>

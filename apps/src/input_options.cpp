@@ -22,7 +22,8 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Finite numbers between commas; \a names says how many, and what. */
+/** Finite numbers between commas, after which there may be spaces; \a names says how many, and
+ * what. */
 std::vector<float>
 parseNumbers (const std::string& option,
               const std::string& text,
@@ -134,7 +135,8 @@ inputOptionsDescription ()
       po::value<std::string>()
           ->value_name ("vga|qvga|qqvga")
           ->default_value ("vga", "vga; where all are compared: each"),
-      "take every 1st, 2nd or 4th pixel of every 1st, 2nd or 4th row") (
+      "take every 1st, 2nd or 4th pixel of every 1st, 2nd or 4th row: that is what the "
+      "names say of frames of any size, also in tables") (
       "frames",
       po::value<std::string>()->value_name ("N"),
       "stop after N frames; without, a live camera gives one, but plays on in a "

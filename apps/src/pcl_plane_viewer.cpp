@@ -74,9 +74,9 @@ describeOptions ()
       "loop", "start again at the end") (
       "corrected",
       text ("frame|FILE"),
-      "points corrected by DepthWarpCorrection: the planes of each frame tell the "
-      "error of depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote "
-      "for this camera; the key w switches") (
+      "take points that DepthWarpCorrection corrects. The planes of each frame tell "
+      "the error of depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes "
+      "wrote for this camera; the key w switches") (
       "base-transform", text ("x,y,z,roll,pitch,yaw"), base_transform_help);
   addDepthNoiseOption (options);
   return options.add (inputOptionsDescription());

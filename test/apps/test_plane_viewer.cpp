@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <functional>
+#include <regex>
 #include <thread>
 
 using namespace pcl::rgbd_planes;
@@ -254,6 +255,7 @@ TEST_F (PlaneViewerApp, HelpTellsKeysAndOptions)
                                  "--depth-scale", "--resolution",
                                  "--frames",      "Exit code"})
     EXPECT_NE (result.out.find (word), std::string::npos) << word;
+  EXPECT_FALSE (std::regex_search (result.out, std::regex ("\n *:"))) << result.out;
 }
 
 TEST_F (PlaneViewerApp, ItsWindowTakesKeys)

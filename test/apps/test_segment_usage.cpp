@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
 using namespace pcl::rgbd_planes;
 using nlohmann::json;
@@ -33,6 +34,7 @@ TEST_F (SegmentUsage, HelpIsNoError)
   EXPECT_EQ (run ("--version").out.rfind ("pcl_rgbd_planes 0.", 0), 0u);
   for (const auto& scene : sceneNames())
     EXPECT_NE (result.out.find (scene), std::string::npos) << scene;
+  EXPECT_FALSE (std::regex_search (result.out, std::regex ("\n *:"))) << result.out;
 }
 
 TEST_F (SegmentUsage, ProgressIsShownOnATerminal)
