@@ -8,6 +8,7 @@
 #include <pcl/simulation/simulate.h>
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <boost/program_options/value_semantic.hpp>
 
 #include <algorithm>
@@ -32,7 +33,8 @@ parseNumbers (const std::string& option,
   std::vector<float> values;
   std::istringstream stream (text + ',');
   for (std::string value; std::getline (stream, value, ',');)
-    values.push_back (parseNumber<float> (option + ": a value", value));
+    values.push_back (
+        parseNumber<float> (option + ": a value", boost::trim_left_copy (value)));
   const auto commas = std::count (names.begin(), names.end(), ',');
   if (values.size() != static_cast<std::size_t> (commas) + 1)
     throw AppError (option + ": '" + text + "' must be " + std::to_string (commas + 1) +
@@ -229,8 +231,8 @@ readDepthNoise (const po::variables_map& values)
       parseCoefficients ("--depth-noise", text.substr (0, third), "CONSTANT,QUADRATIC");
   DepthNoise noise{constant, quadratic};
   if (third != std::string::npos)
-    noise.normal_scatter =
-        parseNumber<float> ("--depth-noise: the scatter", text.substr (third + 1));
+    noise.normal_scatter = parseNumber<float> (
+        "--depth-noise: the scatter", boost::trim_left_copy (text.substr (third + 1)));
   if (!(noise.normal_scatter >= 1.f &&
         noise.normal_scatter <= DepthNoise::max_normal_scatter))
     throw AppError ("--depth-noise: the scatter of normals in '" + text +

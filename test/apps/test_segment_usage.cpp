@@ -37,6 +37,14 @@ TEST_F (SegmentUsage, HelpIsNoError)
   EXPECT_FALSE (std::regex_search (result.out, std::regex ("\n *:"))) << result.out;
 }
 
+TEST_F (SegmentUsage, SpacesMayFollowCommas)
+{
+  writeTwoWalls ("walls.png");
+  const Outcome result = run ("walls.png --intrinsics '131, 131, 79.5, 59.5' "
+                              "--depth-scale 1000 --depth-noise '0.001, 0.002, 2.5'");
+  EXPECT_EQ (result.code, 0) << result.err;
+}
+
 TEST_F (SegmentUsage, ProgressIsShownOnATerminal)
 {
   std::filesystem::create_directory (folder_ / "frames");
