@@ -128,8 +128,7 @@ inputOptionsDescription ()
       "intrinsics",
       po::value<std::string>()->value_name ("fx,fy,cx,cy"),
       "camera of depth images: focal lengths and principal point, in pixels of the "
-      "full "
-      "images, also with --resolution; TUM RGB-D folders have a default") (
+      "full images, also with --resolution; TUM RGB-D folders have a default") (
       "depth-scale",
       po::value<std::string>()->value_name ("UNITS_PER_M"),
       "what depth images hold at 1 m; 5000 for TUM RGB-D folders") (

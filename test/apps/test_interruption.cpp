@@ -13,8 +13,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <iostream>
+#include <thread>
 
 using namespace pcl::rgbd_planes;
 
@@ -59,6 +61,17 @@ addInterrupted (Comparison comparison)
   std::exit (0);
 }
 
+/** Ends the program: one that does not listen gets a signal, and seconds later another one. */
+void
+sleepInterrupted ()
+{
+  catchInterruption();
+  std::raise (SIGTERM);
+  std::this_thread::sleep_for (std::chrono::seconds (4));
+  std::raise (SIGINT);
+  std::exit (0);
+}
+
 /** Ends the program: one that writes files gets the same signal again and again. */
 void
 writeInterrupted (const std::filesystem::path& file)
@@ -84,6 +97,11 @@ TEST (Interruption, ImpatienceLeavesNoTemporaryFiles)
                testing::ExitedWithCode (1),
                "app: interrupted; nothing was written");
   EXPECT_EQ (listFolder (folder.path()), std::vector<std::string>{});
+}
+
+TEST (Interruption, PatienceEnds)
+{
+  EXPECT_EXIT (sleepInterrupted(), testing::KilledBySignal (SIGINT), "");
 }
 
 TEST (Interruption, ComparisonsStopWithinAFrame)

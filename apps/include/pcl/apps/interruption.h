@@ -6,11 +6,11 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief From now on, SIGINT (Ctrl-C), SIGTERM and SIGHUP do not end the program, however often
- * they come, so that it can clean up; SIGQUIT still does. The functions below tell of them, and
- * waiting for a file ends; those that are ignored stay so. Those of a full quota (SIGXFSZ) or a
- * reader that has ended (SIGPIPE) become errors of writing. To be called before the first
- * temporary file is written. */
+/** \brief From now on, the first SIGINT (Ctrl-C), SIGTERM or SIGHUP does not end the program,
+ * unless it is ignored, but is found by the functions below, and ends waiting for a file. Others
+ * within two seconds change nothing, so that it can clean up; a later one ends it. Those of a full
+ * quota (SIGXFSZ) or a reader that has ended (SIGPIPE) become errors of writing: temporary files
+ * go. To be called before the first of them is written. */
 void
 catchInterruption ();
 
