@@ -54,9 +54,10 @@ readDepthImage (const fs::path& file, const DepthCamera& camera)
                     "for which no camera is known: add --intrinsics fx,fy,cx,cy");
   const auto& [fx, fy, cx, cy] = camera.intrinsics;
   // How far the principal point is from the middle, in sizes of the image.
-  const float off =
-      std::max (std::fabs (cx / static_cast<float> (image.width) - 0.5f),
-                std::fabs (cy / static_cast<float> (image.height) - 0.5f));
+  const auto distance = [] (float center, std::uint32_t pixels) {
+    return std::fabs ((center + 0.5f) / static_cast<float> (pixels) - 0.5f);
+  };
+  const float off = std::max (distance (cx, image.width), distance (cy, image.height));
   if (off > 1.f)
     throw AppError (size +
                     "far from which the principal point of --intrinsics is: give "
