@@ -105,7 +105,7 @@ TEST_F (ViewerControlsTest, NothingIsSavedAmongTheInputs)
   viewer_ = std::make_unique<PlaneViewer> (options_);
   viewer_->show (viewer_scene::makeFrame());
   press ('s');
-  EXPECT_TRUE (says (": is the INPUT"));
+  EXPECT_TRUE (says (": is a folder of INPUT"));
   EXPECT_TRUE (listFolder (folder_.path()).empty());
 }
 
