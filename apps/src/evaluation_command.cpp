@@ -104,7 +104,7 @@ runEvaluation (const EvaluationCommand& command,
   const std::string printed = table();
   files.commit();
   std::cout << printed;
-  flushOutput();
+  flushOutput(); // so that notices about the measures come only behind a table that was written
 }
 
 } // namespace rgbd_planes

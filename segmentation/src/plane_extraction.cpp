@@ -281,9 +281,8 @@ PlaneExtraction::finish (std::size_t width)
     return dropped;
   };
   rejections_.too_few_points += dropWhere ([&] (std::uint32_t k) {
-    const PlaneMoments& weighted = assignment_.weightedMoments()[k];
     return sums[k].points < min_points ||
-           !weighted.determine (weighted.inverseDistance());
+           !assignment_.weightedMoments()[k].determinePlane();
   });
   rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isPatch (k); });
   std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {

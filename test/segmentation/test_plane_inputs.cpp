@@ -198,25 +198,14 @@ TEST (PlaneInputs, LongStrips)
  * if they were certain. */
 TEST (PlaneInputs, PlanesOfFewRowsAreAsCertainAsTheySay)
 {
-  constexpr double radians = M_PI / 180.;
   std::size_t planes = 0;
-  for (const std::uint32_t rows : {2u, 3u, 4u, 8u})
+  for (const int rows : {2, 3, 4, 8})
     for (unsigned seed = 0; seed < 100; ++seed) {
       std::mt19937 random (seed);
       std::uniform_real_distribution<float> tilt (-0.6f, 0.6f);
-      std::normal_distribution<float> error;
       const Eigen::Vector3f normal =
           Eigen::Vector3f (tilt (random), tilt (random), -1.f).normalized();
-      auto cloud = pcl::make_shared<Cloud> (640, rows);
-      for (std::uint32_t v = 0; v < rows; ++v)
-        for (std::uint32_t u = 0; u < 640; ++u) {
-          const Eigen::Vector3f ray ((static_cast<float> (u) - 320.f) / 525.f,
-                                     static_cast<float> (v) / 525.f,
-                                     1.f);
-          const float z = -1.5f / normal.dot (ray);
-          (*cloud) (u, v).getVector3fMap() =
-              (z + error (random) * kinectSigma (z)) * ray;
-        }
+      const auto cloud = render ({{normal, 1.5f}}, 640, rows, kinectSigma).cloud;
       Ours segmentation;
       segmentation.setMinInliers (10);
       Result result;
@@ -226,7 +215,7 @@ TEST (PlaneInputs, PlanesOfFewRowsAreAsCertainAsTheySay)
         const Eigen::Vector4d variances =
             Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> (covariance).eigenvalues();
         EXPECT_GT (variances[0], -1e-9 * variances[3]);
-        EXPECT_LT (radians * angleDegrees (result.normal (k), normal),
+        EXPECT_LT (pcl::deg2rad (angleDegrees (result.normal (k), normal)),
                    6. * std::sqrt (covariance.topLeftCorner<3, 3>().trace()))
             << rows << " rows, seed " << seed;
         ++planes;

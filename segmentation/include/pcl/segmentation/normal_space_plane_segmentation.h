@@ -142,9 +142,9 @@ public:
   /** \brief How far from its plane a point may lie along the viewing ray, in metres at a
    * range of 1 m; more than 0. It grows with range as the noise of the sensor does: 0.02, a
    * usual value for PCL's class, is 0.22 m at 4 m. The default is 0.009, or 1.5 standard
-   * deviations of that noise if it is less, or 4.5 if it is more; in frames with more noise than the sensor has at
-   * least, those of that (rgbd_planes::noiseIn()). Amid the plane points may lie
-   * 1.15 times as far, at its borders 0.9 times. */
+   * deviations of that noise if it is less, or 4.5 if it is more; in frames with more noise than
+   * the sensor has at least, those of that (rgbd_planes::noiseIn()). Amid the plane points may
+   * lie 1.15 times as far, at its borders 0.9 times. */
   void
   setDistanceThreshold (double distance_threshold);
 

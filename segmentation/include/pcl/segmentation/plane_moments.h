@@ -160,12 +160,13 @@ struct PlaneMoments {
     return second().inverse() * first();
   }
 
-  /** \brief Whether noise leaves the direction of the best plane, m * p = 1, certain to half a
-   * radian in the standard deviation; points in a line do not. */
+  /** \brief Whether noise leaves the direction of the best plane certain to half a radian in the
+   * standard deviation; points in a line do not. */
   bool
-  determine (const Eigen::Vector3d& m) const
+  determinePlane () const
   {
     constexpr double max_relative_error = 0.5, least_ratio = 1e-12;
+    const Eigen::Vector3d m = inverseDistance();
     // The covariance of m is the inverse of the second moments.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (
         second(), Eigen::EigenvaluesOnly);
