@@ -4,6 +4,7 @@
 #pragma once
 
 #include "clouds.h"
+#include <hwy/targets.h>
 
 #include <pcl/apps/interruption.h>
 
@@ -29,6 +30,21 @@ void
 addBenchmark (const std::string& name, const Run& run)
 {
   benchmark::RegisterBenchmark (name.c_str(), run)->Unit (benchmark::kMillisecond);
+}
+
+/** \brief Registers run (state) once for each set of instructions that this processor has, and
+ * for none: as name/SET. */
+template <typename Run>
+void
+addInstructionBenchmarks (const std::string& name, const Run& run)
+{
+  for (const auto instructions : hwy::SupportedAndGeneratedTargets())
+    addBenchmark (name + '/' + hwy::TargetName (instructions),
+                  [=] (benchmark::State& state) {
+                    hwy::SetSupportedTargetsForTest (instructions);
+                    run (state);
+                    hwy::SetSupportedTargetsForTest (0);
+                  });
 }
 
 /** \brief Times compute (cloud). An iteration is one cloud, and all of them get as many;

@@ -43,12 +43,10 @@ copyFloor (benchmark::State& state, const Clouds& clouds)
 
 /** \param[in] configure (estimation) sets what differs from its defaults */
 template <typename Estimation, typename Configure>
-void
-addEstimator (const std::string& name,
-              const MakeClouds& make_clouds,
-              const Configure& configure)
+auto
+runOf (const MakeClouds& make_clouds, const Configure& configure)
 {
-  addBenchmark (name, [=] (benchmark::State& state) {
+  return [=] (benchmark::State& state) {
     Estimation estimation;
     configure (estimation);
     Normals normals;
@@ -58,7 +56,16 @@ addEstimator (const std::string& name,
       if (normals.size() != cloud->size())
         state.SkipWithError ("no normals");
     });
-  });
+  };
+}
+
+template <typename Estimation, typename Configure>
+void
+addEstimator (const std::string& name,
+              const MakeClouds& make_clouds,
+              const Configure& configure)
+{
+  addBenchmark (name, runOf<Estimation> (make_clouds, configure));
 }
 
 void
@@ -121,7 +128,10 @@ registerNormalBenchmarks (const Clouds& frames)
     addEstimator<PclEstimation> (
         "normals/pcl_average_3d_gradient" + resolution, clouds, average3DGradient);
   }
-  addWindowSizes ([=] { return frames; });
+  const MakeClouds at_vga = [=] { return frames; };
+  addInstructionBenchmarks ("normals/tangent_instructions",
+                            runOf<OurEstimation> (at_vga, defaults));
+  addWindowSizes (at_vga);
   const auto resampled = [=] (const ImageSize& size) {
     return [=] { return Clouds{resample (*frames.front(), size.width, size.height)}; };
   };

@@ -81,6 +81,9 @@ registerObjectBenchmarks (const Clouds& frames, const BaseTransforms& camera_to_
                           state, subsample (frames, step), camera_to_base, method);
                     });
   }
+  addInstructionBenchmarks ("pipeline/all_instructions", [=] (benchmark::State& state) {
+    runPipeline (state, frames, camera_to_base);
+  });
 }
 
 } // namespace rgbd_planes

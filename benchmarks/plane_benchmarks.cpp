@@ -64,6 +64,9 @@ registerPlaneBenchmarks (const Clouds& frames)
       organizedMultiPlane (state, subsample (frames, step));
     });
   }
+  addInstructionBenchmarks (
+      "planes/normal_space_instructions",
+      [=] (benchmark::State& state) { normalSpace (state, frames); });
 }
 
 } // namespace rgbd_planes

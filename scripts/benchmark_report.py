@@ -33,6 +33,10 @@ class Speed:
         if not self.rows:
             sys.exit("no medians: run the benchmarks with --benchmark_repetitions")
 
+    def instructions(self):
+        """Sets of instructions, the widest first."""
+        return [name.split("/")[-1] for name in self.rows if "/all_instructions/" in name]
+
     def ms(self, name):
         return self.rows[name]["real_time"]
 
@@ -68,6 +72,8 @@ def table(head, rows):
 def speed_table(speed):
     rows = []
     for name in speed.rows:
+        if "_instructions/" in name:
+            continue
         cells = (speed.ms(name), speed.nanoseconds_per_point(name),
                  speed.ratio(name, "normals/copy_floor"),
                  1 / speed.ratio(name, "normals/pcl_average_3d_gradient"))
@@ -87,6 +93,17 @@ def stage_table(speed):
                      f"{omps / speed.ms(f'planes/normal_space/{resolution}'):.1f}"])
     names = [f"{name} ms" for name in speed.stages("vga")]
     return table(["size", *names, "all ms", "Hz", "normals and planes: times as fast as PCL's"],
+                 rows)
+
+
+def instruction_table(speed):
+    rows = []
+    for instructions in speed.instructions():
+        times = [speed.ms(f"{name}_instructions/{instructions}")
+                 for name in ("normals/tangent", "planes/normal_space", "pipeline/all")]
+        rows.append([f"`{instructions}`", *(f"{ms:.2f}" for ms in times),
+                     f"{1000 / times[-1]:.0f}"])
+    return table(["instructions", "normals ms", "normals and planes ms", "everything ms", "Hz"],
                  rows)
 
 
@@ -202,6 +219,7 @@ def main():
     page = doc / "benchmarks.md"
     text = page.read_text(encoding="utf-8")
     for name, content in (("stages", stage_table(speed)), ("speed", speed_table(speed)),
+                          ("instructions", instruction_table(speed)),
                           ("normals", accuracy_table(normals)), ("planes", plane_table(planes))):
         text = renew(text, name, content)
     with tempfile.TemporaryDirectory(prefix=".benchmarks_", dir=doc) as folder:

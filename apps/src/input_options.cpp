@@ -135,7 +135,7 @@ inputOptionsDescription ()
       "resolution",
       po::value<std::string>()
           ->value_name ("vga|qvga|qqvga")
-          ->default_value ("vga", "vga; where all are compared: each"),
+          ->default_value ("vga", "vga; evaluations: all"),
       "take every 1st, 2nd or 4th pixel of every 1st, 2nd or 4th row: that is what the "
       "names say of frames of any size, also in tables") (
       "frames",
