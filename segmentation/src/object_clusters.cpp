@@ -102,6 +102,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
   }
   if (hasLinesOfGaps (points_))
     bridgeGaps (limit);
+  joinAcrossBases (limit);
 }
 
 void

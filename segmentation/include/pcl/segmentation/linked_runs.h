@@ -77,6 +77,12 @@ public:
     return sets_.root (run);
   }
 
+  void
+  join (std::uint32_t run, std::uint32_t other)
+  {
+    sets_.join (run, other);
+  }
+
   /** \brief Joins runs of rows of \a width points, all of which were added, where a gap of one
    * pixel in a row or a column keeps them apart and is_gap (before, after) is true of the points
    * at both sides of it. */

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -128,6 +129,27 @@ private:
   bridgeGaps (const LinkLimit& limit);
 
   void
+  joinAcrossBases (const LinkLimit& limit);
+
+  void
+  findMeetings (const LinkLimit& limit);
+
+  void
+  runsOf (std::uint32_t root, std::vector<PointRun>& thing);
+
+  void
+  moveTo (const std::vector<PointRun>& thing, std::uint8_t place);
+
+  bool
+  isOver (const std::vector<PointRun>& thing, const SupportPlane& base) const;
+
+  bool
+  standsBeside (const std::vector<PointRun>& on_higher,
+                const std::vector<PointRun>& on_lower,
+                const SupportPlane& higher,
+                const SupportPlane& lower) const;
+
+  void
   settleRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
 
   Place
@@ -212,6 +234,9 @@ private:
       to_above_; // of its points: whether they are close
   std::vector<std::uint8_t> place_;
   LinkedRuns runs_;
+  /** Two runs each that hang together but for their bases. */
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings_;
+  std::vector<PointRun> on_higher_, on_lower_; // of a meeting
   std::vector<std::uint32_t> set_of_run_;
   std::vector<Sums> sums_; // of sets
   std::vector<ObjectCluster> clusters_;
