@@ -19,13 +19,14 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /** How far from a pixel the two points are that are compared. */
-constexpr float reach_m = 0.006f;
+constexpr float reach_m = 0.008f;
 constexpr float max_reach_px = 5.f;
 static_assert (max_reach_px <= ClusterImage::margin, "points lie inside of the image");
 /** A point is above the tangent plane of another one when it rises by this part of their
- * distance, 17 degrees, and by more than noise: that many standard deviations of depth. */
+ * distance, 17 degrees, and by more than noise: that many standard deviations of depth, two of
+ * the difference of two points. */
 constexpr float min_step_rise = 0.3f;
-constexpr float min_step_sigmas = 2.f;
+constexpr float min_step_sigmas = 2.83f;
 
 using Steps = std::ptrdiff_t[4];
 

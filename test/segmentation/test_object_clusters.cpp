@@ -174,6 +174,25 @@ TEST (ObjectClusters, SplitKeepsAConvexObjectWhole)
   EXPECT_EQ (extract (extraction, view).size(), 1u);
 }
 
+TEST (ObjectClusters, SplitKeepsBoxesWholeUnderTheNoiseThatIsSet)
+{
+  for (const Camera& pose : {Camera{1.4f, 0.7f}, Camera{0.9f, 0.15f}}) {
+    Camera camera = pose;
+    camera.width = 640;
+    camera.image_height = 480;
+    const View view = look ({floor_slab,
+                             table,
+                             onTable (0.95f, 0.2f, {0.08f, 0.06f, 0.1f}, 0.3f),
+                             onTable (0.95f, -0.2f, {0.12f, 0.1f, 0.06f}, 0.8f),
+                             onTable (1.15f, 0.f, {0.08f, 0.08f, 0.2f})},
+                            camera,
+                            1.f);
+    Extraction extraction;
+    extraction.setSplitAtConcaveEdges (true);
+    EXPECT_EQ (extract (extraction, view).size(), 3u) << camera.height;
+  }
+}
+
 /** Cells of such images are large, and few of them have the points of an object. */
 TEST (ObjectClusters, SplitKeepsAConvexObjectWholeInLargeImages)
 {
