@@ -29,6 +29,8 @@ constexpr float face_sigmas = 4.f;
 constexpr float top_sigmas = 2.f;
 /** The far end is not shifted by more. */
 constexpr float far_sigmas = 3.f;
+/** What is no deeper may be a front alone. */
+constexpr float front_sigmas = 5.f;
 
 /** So many points at least are of a face that is seen, and so many of a top. */
 constexpr float min_front_part = 0.05f;
@@ -171,6 +173,10 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
   box.axes << along.x() * support.axis_x + along.y() * support.axis_y,
       across.x() * support.axis_x + across.y() * support.axis_y, support.plane.normal;
   box.size = {x.high - x.low, y.high - y.low, height};
+  const bool is_depth_known =
+      box.size.x() > front_sigmas * view.sigma * along.dot (view.away);
+  box.smallest_known_side =
+      is_depth_known ? box.size.minCoeff() : box.size.tail<2>().minCoeff();
   return box;
 }
 

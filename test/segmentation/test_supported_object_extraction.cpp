@@ -84,6 +84,21 @@ TEST (SupportedObjectExtraction, GraspableBySmallestSide)
   EXPECT_FALSE (extract (extraction, view).front().graspable);
 }
 
+TEST (SupportedObjectExtraction, FrontOfALargeThingIsNotGraspable)
+{
+  // The top does not show, and noise makes the front as deep as what fits into a hand.
+  for (const float noise : {0.5f, 1.f}) {
+    const View view =
+        look ({floor_slab, deep_table, onTable (1.7f, 0.f, {0.3f, 0.3f, 0.25f})},
+              Camera{table_height + 0.2f, 0.1f},
+              noise);
+    const Objects objects = extract (view);
+    ASSERT_EQ (objects.size(), 1u) << noise;
+    EXPECT_GT (objects.front().box_size.minCoeff(), 0.01f) << noise;
+    EXPECT_FALSE (objects.front().graspable) << noise;
+  }
+}
+
 TEST (SupportedObjectExtraction, TiltedCameraAndNoise)
 {
   Camera camera;

@@ -19,6 +19,9 @@ struct ObjectBox {
    * the plane. */
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   Eigen::Vector3f size = Eigen::Vector3f::Zero(); /**< along \ref axes */
+  /** The smallest side, but for the first one where noise explains that: of what shows only its
+   * front, nobody knows how deep it is. */
+  float smallest_known_side = 0.f;
 };
 
 /** \brief Finds boxes, and keeps its buffers for the next one. */

@@ -45,7 +45,9 @@ struct SupportedObject {
   std::size_t support = 0;
   /** It reaches the border of the image: the box may be too small. */
   bool truncated = false;
-  /** Its smallest side is in the range of setGraspableSides(), and all of it is in the image. */
+  /** Its smallest side is in the range of setGraspableSides(), and all of it is in the image. A
+   * side along the view that is no longer than what noise makes of a front, 5 standard deviations
+   * of depth, does not count: how deep the thing is cannot be seen. */
   bool graspable = false;
 };
 

@@ -194,8 +194,8 @@ SupportedObjectExtraction<PointT, PointNT>::describe (
   object.support = support.index;
   object.truncated = clustering_.isTruncated (cluster.runs);
   object.graspable = !object.truncated &&
-                     box.size.minCoeff() >= parameters.min_graspable_side &&
-                     box.size.minCoeff() <= parameters.max_graspable_side;
+                     box.smallest_known_side >= parameters.min_graspable_side &&
+                     box.smallest_known_side <= parameters.max_graspable_side;
 }
 
 } // namespace pcl
