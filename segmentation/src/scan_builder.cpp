@@ -53,6 +53,7 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
   columns_.y.resize (padded);
   columns_.in_range.assign (wordsFor (columns), 0);
   columns_.strays.assign (wordsFor (columns), 0);
+  gaps_.assign (wordsFor (columns), 0);
   limits_ = limits;
   squares_.assign (directions + 1, infinity);
 
@@ -89,25 +90,13 @@ ScanBuilder::add (const PointRow& row,
 void
 ScanBuilder::closeGaps (const ScanRun& run)
 {
-  // Most runs have more points than directions, which their ends tell, if they are in range.
-  constexpr std::size_t max_pairs = 64;
   const auto isInRange = [&] (std::size_t u) {
     return (columns_.in_range[u / bits_in_word] >> u % bits_in_word & 1) != 0;
   };
-  const auto stepsBetween = [&] (std::size_t u, std::size_t v) {
-    const std::size_t a = column_sectors_[u], b = column_sectors_[v];
-    return std::max (a, b) - std::min (a, b);
-  };
   const std::size_t last = run.end - 1;
-  for (std::size_t begin = run.begin; begin < last; begin += max_pairs) {
-    const std::size_t end = std::min (begin + max_pairs, last);
-    if (isInRange (begin) && isInRange (end) && column_sectors_[begin] != noSector() &&
-        2 * stepsBetween (begin, end) <= end - begin)
-      continue;
-    for (std::size_t u = begin; u < end; ++u)
-      if (isInRange (u) && isInRange (u + 1) && stepsBetween (u, u + 1) > 1)
-        fillBetween (u);
-  }
+  for (std::size_t u = nextBit (gaps_, run.begin); u < last; u = nextBit (gaps_, u + 1))
+    if (isInRange (u) && isInRange (u + 1))
+      fillBetween (u);
 }
 
 void
@@ -115,8 +104,6 @@ ScanBuilder::fillBetween (std::size_t column)
 {
   std::size_t a = column_sectors_[column], b = column_sectors_[column + 1];
   float at_a = columns_.squares[column], at_b = columns_.squares[column + 1];
-  if (a == noSector() || b == noSector() || std::isinf (at_a) || std::isinf (at_b))
-    return;
   if ((a > b) != (2 * (std::max (a, b) - std::min (a, b)) > sectors_in_turn_)) {
     std::swap (a, b);
     std::swap (at_a, at_b);
@@ -142,6 +129,20 @@ ScanBuilder::turnColumn (std::size_t column, std::size_t sector)
   columns_.right_y[column] = sectors_[sector].right_y;
   columns_.left_x[column] = sectors_[sector].left_x;
   columns_.left_y[column] = sectors_[sector].left_y;
+  if (column > 0)
+    noteGap (column - 1);
+  if (column + 1 < column_sectors_.size())
+    noteGap (column);
+}
+
+void
+ScanBuilder::noteGap (std::size_t column)
+{
+  const auto [a, b] =
+      std::minmax (column_sectors_[column], column_sectors_[column + 1]);
+  const std::uint64_t bit = std::uint64_t{1} << column % bits_in_word;
+  std::uint64_t& word = gaps_[column / bits_in_word];
+  word = b - a > 1 && b != noSector() ? word | bit : word & ~bit;
 }
 
 std::size_t

@@ -107,6 +107,41 @@ TEST (ObstacleScan, TheScanOfAnObstacleHasNoGapsWherePixelsAreWiderThanItsSteps)
   }
 }
 
+TEST (ObstacleScan, TheScanHasNoGapsWhereFewOfManyColumnsAreFarApart)
+{
+  // Seen across the front of the robot: three columns step back 5 cm each, many directions.
+  constexpr int first = 136, step = 200, end = 264;
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (
+      640, 480, pcl::PointXYZ (not_a_number, not_a_number, not_a_number));
+  for (int v = 200; v < 280; ++v)
+    for (int u = first; u < end; ++u) {
+      const float z = 0.4f + 0.05f * static_cast<float> (std::clamp (u - step, 0, 3));
+      cloud->at (u, v) = {z * (static_cast<float> (u) - 319.5f) / 525.f,
+                          z * (static_cast<float> (v) - 239.5f) / 525.f,
+                          z};
+    }
+  Detection detection;
+  Eigen::Affine3f to_left = cameraPose (0.5f, 0.f);
+  to_left.prerotate (
+      Eigen::AngleAxisf (static_cast<float> (M_PI / 2.), Eigen::Vector3f::UnitZ()));
+  to_left.pretranslate (Eigen::Vector3f (0.6f, -0.3f, 0.f));
+  detection.setCameraToBase (to_left);
+  detection.setInputCloud (cloud);
+  detection.setInputNormals (pcl::make_shared<pcl::PointCloud<pcl::Normal>> (640, 480));
+  detection.setInputPlanes (
+      {},
+      pcl::make_shared<pcl::PointCloud<pcl::Label>> (640, 480, pcl::Label{no_plane}));
+  std::vector<Obstacle> obstacles;
+  detection.detect (obstacles);
+  ASSERT_EQ (obstacles.size(), 1u);
+  const auto& ranges = detection.getScan().ranges;
+  const auto isSeen = [] (float range) { return std::isfinite (range); };
+  const auto right = std::find_if (ranges.begin(), ranges.end(), isSeen);
+  const auto left = std::find_if (ranges.rbegin(), ranges.rend(), isSeen).base();
+  EXPECT_GT (left - right, 30);
+  EXPECT_TRUE (std::all_of (right, left, isSeen));
+}
+
 TEST (ObstacleScan, TheScanOfAWallHasNoGapsWhoseEndsAreOutOfRange)
 {
   // What is in range lies between two columns that are 64 apart.

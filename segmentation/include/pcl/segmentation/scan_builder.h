@@ -93,6 +93,10 @@ private:
   void
   turnColumn (std::size_t column, std::size_t sector);
 
+  /** Notes whether there are directions between a column and the next one. */
+  void
+  noteGap (std::size_t column);
+
   /** Closes the gaps between points of a run that are more than a direction apart. */
   void
   closeGaps (const ScanRun& run);
@@ -109,6 +113,8 @@ private:
   std::vector<float> squares_;
   ScanColumns columns_;
   std::vector<std::size_t> column_sectors_;
+  /** A bit for each column that noteGap() found directions after, 64 to a word. */
+  std::vector<std::uint64_t> gaps_;
   std::size_t sectors_in_turn_ = 0;
 };
 
