@@ -27,13 +27,13 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
   const float span = limits.angle_max - limits.angle_min;
   // Rounded up, the last direction could be the first one again.
   const float in_turn = std::floor (turn / limits.angle_increment + 0.01f);
-  sectors_in_turn_ = static_cast<std::size_t> (std::max (in_turn, 1.f));
+  const auto sectors = static_cast<std::size_t> (std::max (in_turn, 1.f));
   const auto directions = static_cast<std::size_t> (
       std::clamp (in_turn, 1.f, std::round (span / limits.angle_increment) + 1.f));
-  if (sectors_.size() != directions + 1 || limits.angle_min != limits_.angle_min ||
+  if (sectors_.size() != sectors + 1 || limits.angle_min != limits_.angle_min ||
       limits.angle_increment != limits_.angle_increment) {
-    sectors_.assign (directions + 1, {});
-    for (std::size_t i = 0; i < directions; ++i) {
+    sectors_.assign (sectors + 1, {});
+    for (std::size_t i = 0; i < sectors; ++i) {
       const float right =
           limits.angle_min + (static_cast<float> (i) - 0.5f) * limits.angle_increment;
       const float left =
@@ -55,7 +55,7 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
   columns_.strays.assign (wordsFor (columns), 0);
   gaps_.assign (wordsFor (columns), 0);
   limits_ = limits;
-  squares_.assign (directions + 1, infinity);
+  squares_.assign (sectors + 1, infinity);
 
   scan.angle_min = limits.angle_min;
   scan.angle_max =
@@ -63,6 +63,7 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
   scan.angle_increment = limits.angle_increment;
   scan.range_min = limits.range_min;
   scan.range_max = limits.range_max;
+  scan.ranges.resize (directions);
   scan_ = &scan;
 }
 
@@ -104,16 +105,15 @@ ScanBuilder::fillBetween (std::size_t column)
 {
   std::size_t a = column_sectors_[column], b = column_sectors_[column + 1];
   float at_a = columns_.squares[column], at_b = columns_.squares[column + 1];
-  if ((a > b) != (2 * (std::max (a, b) - std::min (a, b)) > sectors_in_turn_)) {
+  if ((a > b) != (2 * (std::max (a, b) - std::min (a, b)) > noSector())) {
     std::swap (a, b);
     std::swap (at_a, at_b);
   }
   if (a > b) // the short way leads from the last direction of a turn to the first one
-    b += sectors_in_turn_;
+    b += noSector();
   for (std::size_t k = a + 1; k < b; ++k) {
-    const std::size_t sector = k < sectors_in_turn_ ? k : k - sectors_in_turn_;
-    if (sector < noSector())
-      squares_[sector] = std::min (squares_[sector], k - a <= b - k ? at_a : at_b);
+    float& square = squares_[k < noSector() ? k : k - noSector()];
+    square = std::min (square, k - a <= b - k ? at_a : at_b);
   }
 }
 
@@ -165,7 +165,6 @@ ScanBuilder::finish()
 {
   for (std::size_t u = 0; u < column_sectors_.size(); ++u)
     turnColumn (u, column_sectors_[u]);
-  scan_->ranges.resize (noSector());
   const float nearest = limits_.range_min * limits_.range_min;
   for (std::size_t i = 0; i < scan_->ranges.size(); ++i)
     scan_->ranges[i] = squares_[i] < nearest ? -infinity : std::sqrt (squares_[i]);

@@ -79,7 +79,7 @@ private:
     }
   };
 
-  /** That of points outside of all directions. */
+  /** That of points in what is left of a turn, less than an increment. */
   std::size_t
   noSector () const
   {
@@ -107,7 +107,8 @@ private:
 
   VirtualScan* scan_ = nullptr;
   ScanLimits limits_;
-  /** One for each direction, and noSector(), which contains nothing. */
+  /** All directions of a turn, from the first one of the scan on, so that points beyond its
+   * limits are looked up as seldom as others; and noSector(), which contains nothing. */
   std::vector<Sector> sectors_;
   /** Of the closest point in each direction; that of noSector() is of no use. */
   std::vector<float> squares_;
@@ -115,7 +116,6 @@ private:
   std::vector<std::size_t> column_sectors_;
   /** A bit for each column that noteGap() found directions after, 64 to a word. */
   std::vector<std::uint64_t> gaps_;
-  std::size_t sectors_in_turn_ = 0;
 };
 
 } // namespace rgbd_planes
