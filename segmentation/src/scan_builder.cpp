@@ -19,6 +19,13 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float turn = 6.2831853f;
 
+/** Angles that are a multiple of the increment but for their rounding are so. */
+std::size_t
+wholeSteps (float angle, float increment)
+{
+  return static_cast<std::size_t> (angle / increment + 0.01f);
+}
+
 } // namespace
 
 void
@@ -26,10 +33,10 @@ ScanBuilder::start (const ScanLimits& limits, std::size_t columns, VirtualScan& 
 {
   const float span = limits.angle_max - limits.angle_min;
   // Rounded up, the last direction could be the first one again.
-  const float in_turn = std::floor (turn / limits.angle_increment + 0.01f);
-  const auto sectors = static_cast<std::size_t> (std::max (in_turn, 1.f));
-  const auto directions = static_cast<std::size_t> (
-      std::clamp (in_turn, 1.f, std::round (span / limits.angle_increment) + 1.f));
+  const std::size_t sectors =
+      std::max<std::size_t> (wholeSteps (turn, limits.angle_increment), 1);
+  const std::size_t directions =
+      std::min (wholeSteps (span, limits.angle_increment) + 1, sectors);
   if (sectors_.size() != sectors + 1 || limits.angle_min != limits_.angle_min ||
       limits.angle_increment != limits_.angle_increment) {
     sectors_.assign (sectors + 1, {});

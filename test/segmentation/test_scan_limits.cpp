@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 #include <vector>
 
 using namespace obstacle_scenes;
@@ -60,15 +62,65 @@ TEST (ScanLimits, AScanOfAlmostAWholeTurnHasEachDirectionOnce)
   EXPECT_TRUE (std::isfinite (ranges.back()));
 }
 
-TEST (ScanLimits, StepsThatNumbersCannotCountAreRefused)
+TEST (ScanLimits, NoDirectionIsBeyondThem)
 {
-  pcl::rgbd_planes::ScanLimits limits;
-  limits.angle_min = limits.angle_max = 0.f;
-  limits.angle_increment = 1e-25f;
-  Detection detection;
-  const float usual = detection.getScanLimits().angle_increment;
-  detection.setScanLimits (limits);
-  EXPECT_EQ (detection.getScanLimits().angle_increment, usual);
+  constexpr auto degree = static_cast<float> (M_PI / 180.);
+  constexpr auto pi = static_cast<float> (M_PI);
+  struct Case {
+    float first, last, increment;
+    std::size_t directions;
+  };
+  for (const auto& [first, last, increment, directions] :
+       {Case{0.f, 1.f, 0.6f, 2},
+        {0.f, 1.f, 0.4f, 3},
+        {-90.f * degree, 90.f * degree, degree, 181},
+        {-135.f * degree, 135.f * degree, 0.25f * degree, 1081},
+        {-pi, pi, degree, 360},
+        {0.f, 2.f * pi, degree, 360},
+        {-3.1416f, 3.1416f, 0.5f * degree, 720},
+        {-pi, pi, 0.02f, 314},
+        {0.f, 0.01f, 1e-4f, 101},
+        {0.5f, 0.5f, 0.1f, 1}}) {
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_min = first;
+    limits.angle_max = last;
+    limits.angle_increment = increment;
+    Detection detection;
+    detection.setScanLimits (limits);
+    EXPECT_EQ (detection.getScanLimits().angle_min, first);
+    const FloorScene scene (only_floor, pose);
+    setInput (detection, scene);
+    std::vector<Obstacle> obstacles;
+    detection.detect (obstacles);
+    const auto& scan = detection.getScan();
+    EXPECT_EQ (scan.ranges.size(), directions) << first << " to " << last;
+    const float steps = static_cast<float> (directions - 1);
+    EXPECT_FLOAT_EQ (scan.angle_max, first + steps * increment);
+    EXPECT_LT (scan.angle_max, last + 1e-5f);
+  }
+}
+
+TEST (ScanLimits, AnglesFarFromZeroAndStepsThatNumbersCannotCountAreRefused)
+{
+  const pcl::rgbd_planes::ScanLimits usual;
+  for (const auto& [first, last, increment] : {std::tuple (1e6f, 1e6f, 0.1f),
+                                               {-6.5f, -6.4f, 0.1f},
+                                               {6.4f, 6.5f, 0.1f},
+                                               {-3.2f, 3.2f, 0.1f},
+                                               {0.f, 0.f, 1e-25f},
+                                               {0.f, 0.01f, 0.99e-4f}}) {
+    pcl::rgbd_planes::ScanLimits limits;
+    limits.angle_min = first;
+    limits.angle_max = last;
+    limits.angle_increment = increment;
+    Detection detection;
+    testing::internal::CaptureStderr();
+    detection.setScanLimits (limits);
+    EXPECT_NE (testing::internal::GetCapturedStderr().find ("setScanLimits"),
+               std::string::npos);
+    EXPECT_EQ (detection.getScanLimits().angle_min, usual.angle_min);
+    EXPECT_EQ (detection.getScanLimits().angle_increment, usual.angle_increment);
+  }
 }
 
 TEST (ScanLimits, AScanInStepsOfMoreThanATurnHasOneDirection)

@@ -34,7 +34,9 @@ struct Obstacle {
 /** \brief What part of the obstacles a virtual scan shows, in the base frame. */
 struct ScanLimits {
   float angle_min = -1.5707963f; /**< first direction, radians from the x axis */
-  float angle_max = 1.5707963f;  /**< last direction, less than a turn further */
+  /** The last direction, or beyond it where no whole number of increments leads there. In a
+   * whole turn, each direction is there once: the last one is before the first one. */
+  float angle_max = 1.5707963f;
   float angle_increment = 0.0087266463f; /**< half a degree */
   /** Directions whose closest point is nearer are negative infinity; metres in the xy
    * plane, 0 or more. */
@@ -50,6 +52,7 @@ struct ScanLimits {
  * base frame; time_increment and scan_time are 0, and there are no intensities. */
 struct VirtualScan {
   float angle_min = 0.f;
+  /** The last direction, angle_min + (ranges.size() - 1) * angle_increment. */
   float angle_max = 0.f;
   float angle_increment = 0.f;
   float range_min = 0.f;

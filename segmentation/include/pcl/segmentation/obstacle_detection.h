@@ -204,10 +204,10 @@ public:
   }
 
   /** \brief The extent of the virtual scan; default 180 degrees ahead in steps of half a
-   * degree, up to 10 m, up to 2 m above z = 0 of the base frame. An increment that is not
-   * more than 0, a span that is negative or a turn, 100000 directions or more, a range that
-   * is negative or ends before it begins, or a limit that is NaN: an error message, and the
-   * limits before stay. */
+   * degree, up to 10 m, up to 2 m above z = 0 of the base frame. Angles that are more than a
+   * turn from the x axis or from each other, a last one before the first one, an increment
+   * of less than 1e-4, a range that is negative or ends before it begins, or a limit that is
+   * NaN: an error message, and the limits before stay. */
   void
   setScanLimits (const ScanLimits& limits);
 

@@ -40,19 +40,19 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 ObstacleDetection<PointT, PointNT, PointLT>::setScanLimits (const ScanLimits& limits)
 {
-  const float span = limits.angle_max - limits.angle_min;
-  constexpr float turn = 6.2831854f;
-  constexpr float max_directions = 1e5f;
-  if (!(limits.angle_increment > 0.f && span >= 0.f && span < turn &&
-        turn / limits.angle_increment < max_directions &&
-        std::isfinite (limits.angle_min) && std::isfinite (limits.angle_increment) &&
-        limits.range_min >= 0.f && limits.range_min <= limits.range_max &&
-        !std::isnan (limits.max_height))) {
+  constexpr float turn = 6.2832f; // as 2 * pi may have been rounded
+  constexpr float min_increment = 1e-4f;
+  if (!(limits.angle_min >= -turn && limits.angle_min <= limits.angle_max &&
+        limits.angle_max <= turn && limits.angle_max - limits.angle_min <= turn &&
+        limits.angle_increment >= min_increment &&
+        std::isfinite (limits.angle_increment) && limits.range_min >= 0.f &&
+        limits.range_min <= limits.range_max && !std::isnan (limits.max_height))) {
     PCL_ERROR (
         "[pcl::%s::setScanLimits] From %g to %g in steps of %g radians, at %g "
-        "to %g m, up to %g m high is no scan: give a first angle, a last one "
-        "less than a turn further, a step of more than 0, ranges of 0 or more, the "
-        "nearer first, and a height that is no NaN. Keeping the limits before.\n",
+        "to %g m, up to %g m high is no scan: give a first angle, a last one up to a "
+        "turn further, both within a turn of 0, a step of 0.0001 or more, ranges of "
+        "0 or more, the nearer first, and a height that is no NaN. Keeping the limits "
+        "before.\n",
         getClassName().c_str(),
         limits.angle_min,
         limits.angle_max,
