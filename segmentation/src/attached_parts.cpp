@@ -63,20 +63,27 @@ AttachedParts::find (const OrganizedPoints& points,
                   [] (const auto& cluster) { return pointsOf (cluster.runs); });
   const std::size_t largest =
       sizes_.empty() ? 0 : *std::max_element (sizes_.begin(), sizes_.end());
+  contacts_with_.assign (clusters.size(), 0);
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     if (min_ratio * sizes_[k] > largest)
       continue;
     const SupportPlane& support = supports.planes()[clusters[k].support];
     findContacts (clusters[k], support);
-    contacts_with_.assign (clusters.size(), 0);
-    for (const Contact& contact : contacts_)
+    std::size_t other = 0, most = 0; // the first one of those with the most contacts
+    for (const Contact& contact : contacts_) {
       contacts_with_[contact.other] +=
           sizes_[contact.other] >= min_ratio * sizes_[k] &&
           clusters[contact.other].support == clusters[k].support;
-    const auto most = std::max_element (contacts_with_.begin(), contacts_with_.end());
-    const auto other = static_cast<std::size_t> (most - contacts_with_.begin());
+      const std::size_t count = contacts_with_[contact.other];
+      if (count > most || (count == most && contact.other < other)) {
+        other = contact.other;
+        most = count;
+      }
+    }
+    for (const Contact& contact : contacts_)
+      contacts_with_[contact.other] = 0;
     // A strip of the wall behind is no part.
-    if (*most >= min_contacts && isPart (clusters[k], support, other, parameters) &&
+    if (most >= min_contacts && isPart (clusters[k], support, other, parameters) &&
         !liesOnOneOf (
             supports.background(), points, clusters[k].runs, parameters.noise))
       sets.join (static_cast<std::uint32_t> (k), static_cast<std::uint32_t> (other));

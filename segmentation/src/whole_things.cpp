@@ -35,9 +35,6 @@ WholeThings::collect (const std::vector<ObjectCluster>& clusters)
     if (root != k) {
       auto& joined = things_[thing_of_[root]].runs;
       joined.insert (joined.end(), runs.begin(), runs.end());
-      std::sort (joined.begin(), joined.end(), [] (const auto& a, const auto& b) {
-        return a.first < b.first;
-      });
       continue;
     }
     thing_of_[k] = count++;
@@ -46,6 +43,12 @@ WholeThings::collect (const std::vector<ObjectCluster>& clusters)
     things_[thing_of_[k]].support = clusters[k].support;
   }
   things_.resize (count);
+  const auto isBefore = [] (const PointRun& a, const PointRun& b) {
+    return a.first < b.first;
+  };
+  for (auto& [runs, support] : things_)
+    if (!std::is_sorted (runs.begin(), runs.end(), isBefore))
+      std::sort (runs.begin(), runs.end(), isBefore);
 }
 
 } // namespace rgbd_planes
