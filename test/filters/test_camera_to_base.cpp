@@ -138,6 +138,33 @@ TEST (CameraToBase, InputMayBeTheOutput)
   }
 }
 
+TEST (CameraToBase, TheSensorMovesWithThePoints)
+{
+  // By way of the head of a robot; with indices, too.
+  const Eigen::Affine3f to_head = someTransform();
+  const Eigen::Affine3f to_base =
+      Eigen::Translation3f (0.2f, 0.f, 1.f) *
+      Eigen::AngleAxisf (0.4f, Eigen::Vector3f (-1.f, 0.5f, 3.f).normalized());
+  const Eigen::Affine3f expected = to_base * to_head;
+  const auto in_head = pcl::make_shared<Normals>();
+  pcl::CameraToBase<pcl::PointNormal> filter;
+  filter.setTransform (to_head);
+  filter.setInputCloud (someNormals());
+  filter.filter (*in_head);
+  filter.setTransform (to_base);
+  filter.setInputCloud (in_head);
+  Normals output;
+  for (const bool has_indices : {false, true}) {
+    if (has_indices)
+      filter.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{4, 1}));
+    filter.filter (output);
+    expectNear (output.sensor_origin_.head<3>(), expected.translation());
+    EXPECT_EQ (output.sensor_origin_[3], 1.f);
+    EXPECT_TRUE (output.sensor_orientation_.toRotationMatrix().isApprox (
+        expected.rotation(), 1e-5f));
+  }
+}
+
 TEST (CameraToBase, WithIndicesOnlyThesePointsAreGiven)
 {
   const auto cloud = someNormals();

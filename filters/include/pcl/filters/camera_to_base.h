@@ -28,9 +28,11 @@ namespace pcl {
  * The output keeps the organization of the input and all fields but coordinates and
  * normals; with indices, it has only these points, N x 1, in their order. Points without a
  * measurement (NaN, Inf or (0, 0, 0)) become NaN, and normals that are NaN stay so. The
- * header is that of the input with the frame of setBaseFrame; the sensor pose of the
- * output is that of the camera in the base frame. pcl::visualization::PCLVisualizer moves
- * clouds by that pose, these a second time: show it a copy with a pose of zero and identity.
+ * header is that of the input with the frame of setBaseFrame. The sensor pose of the input,
+ * zero and identity in the camera frame, moves with the points: that of the output is the pose
+ * of the camera in the base frame, also after two of these, as by way of the frame of a head.
+ * pcl::visualization::PCLVisualizer moves clouds by that pose, these a second time: show it a
+ * copy with a pose of zero and identity.
  * Output and input may be the same cloud, but not through a pointer to pcl::Filter, which
  * would keep header and sensor pose of the input. No cloud or an index outside of it: an
  * error message and an empty output.
@@ -57,9 +59,9 @@ public:
   /** \brief Declared so that moving copies: what was moved from can be used on. */
   ~CameraToBase() override = default;
 
-  /** \brief The pose of the camera in the base frame, metres; default
-   * rgbd_planes::defaultCameraToBase(). A transform that is not rigid: an error message,
-   * and the one before stays. */
+  /** \brief The pose of the camera, or of another frame of the input, in the base frame,
+   * metres; default rgbd_planes::defaultCameraToBase(). A transform that is not rigid: an
+   * error message, and the one before stays. */
   void
   setTransform (const Eigen::Affine3f& camera_to_base);
 

@@ -73,11 +73,14 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
   else
     output = *input_;
   output.header.frame_id = base_frame_;
-  output.sensor_origin_ = transform_.translation().homogeneous();
-  output.sensor_orientation_ = Eigen::Quaternionf (transform_.linear());
 
   const Eigen::Matrix3f rotation = transform_.linear();
   const Eigen::Vector3f translation = transform_.translation();
+  output.sensor_origin_.template head<3>() =
+      rotation * input_->sensor_origin_.template head<3>() + translation;
+  output.sensor_origin_[3] = 1.f;
+  output.sensor_orientation_ =
+      Eigen::Quaternionf (rotation) * input_->sensor_orientation_;
   for (auto& point : output) {
     Eigen::Map<Eigen::Vector3f> xyz (&point.x);
     if (rgbd_planes::isMeasured (&point.x))
