@@ -98,6 +98,8 @@ TEST (ObstacleSettings, SettersRefuseWhatMakesNoSense)
   }
   for (const float wrong : {-1.f, not_a_number}) {
     detection.setFloorTolerances (wrong, wrong);
+    detection.setFloorTolerances (0.1f, wrong);
+    detection.setFloorTolerances (wrong, 0.1f);
     detection.setMinObstacleHeight (wrong);
     detection.setMinDropDepth (wrong);
   }

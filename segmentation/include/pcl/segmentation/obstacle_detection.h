@@ -116,15 +116,17 @@ public:
   /** \brief How far the normal of the floor may be from z of the base frame, radians from
    * 0 to pi / 2, default 0.17, and it from z = 0, in the mean of its points or below the origin
    * of the base frame, metres, more than 0, default 0.05; what is nearer to z = 0 is preferred.
-   * Others are refused with an error message. */
+   * Where one of them is another: an error message, and both stay as before. */
   void
   setFloorTolerances (float angle, float height)
   {
     const std::string setter = getClassName() + "::setFloorTolerances";
-    rgbd_planes::setParameter (
-        setter, angle, parameters_.floor_angle, rgbd_planes::Zero::allowed, M_PI / 2.);
-    rgbd_planes::setParameter (
-        setter, height, parameters_.floor_height, rgbd_planes::Zero::refused);
+    float floor_angle = parameters_.floor_angle;
+    if (rgbd_planes::setParameter (
+            setter, angle, floor_angle, rgbd_planes::Zero::allowed, M_PI / 2.) &&
+        rgbd_planes::setParameter (
+            setter, height, parameters_.floor_height, rgbd_planes::Zero::refused))
+      parameters_.floor_angle = floor_angle;
   }
 
   float
