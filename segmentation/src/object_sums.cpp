@@ -32,7 +32,7 @@ constexpr float off_background_sigmas = 5.f;
 /** What ends, along a larger part of its tops, at something nearer may go on behind it: a leg
  * of a table, below the edge of its top. What does not end there, however thin, goes on: a pole. */
 constexpr double may_go_on = 0.4;
-/** Objects have more points for each row and each column of the image that they lie in. */
+/** Objects have more points, by this factor, than a line of pixels across their extent. */
 constexpr double min_width = 1.25;
 
 } // namespace
@@ -264,7 +264,8 @@ bool
 ObjectClusters::isLarge (const Sums& sums) const
 {
   return sums.points >= parameters_.min_points &&
-         static_cast<double> (sums.points) >= min_width * sums.pixels.sizes().sum();
+         static_cast<double> (sums.points) >=
+             min_width * (sums.pixels.sizes().sum() + 1);
 }
 
 bool

@@ -147,6 +147,29 @@ TEST (ObjectInputs, APoseThatNobodyGaveIsToldOnceInARow)
   EXPECT_EQ (testing::internal::GetCapturedStderr(), "") << "no pose makes some";
 }
 
+TEST (ObjectInputs, LinesOfPixelsAreNoObjectsHoweverFewPointsTheseNeed)
+{
+  const View view = look ({floor_slab, table});
+  const auto lift =
+      [&] (std::uint32_t first, std::uint32_t columns, std::uint32_t rows) {
+        const std::uint32_t middle = view.cloud->height / 2;
+        for (std::uint32_t v = middle; v < middle + rows; ++v)
+          for (std::uint32_t u = first; u < first + columns; ++u)
+            view.cloud->at (u, v).getVector3fMap() *= 0.9f;
+      };
+  const std::uint32_t third = view.cloud->width / 3;
+  lift (third, 1, 1);
+  lift (third + 10, 5, 1);
+  lift (third + 20, 1, 5);
+  Extraction extraction;
+  extraction.setMinPoints (1);
+  EXPECT_TRUE (extract (extraction, view).empty());
+  lift (third + 30, 4, 4);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_EQ (objects[0].indices.indices.size(), 16u);
+}
+
 TEST (ObjectInputs, IndicesCarryTheHeaderOfTheCloud)
 {
   const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
