@@ -147,6 +147,25 @@ TEST (ObjectInputs, APoseThatNobodyGaveIsToldOnceInARow)
   EXPECT_EQ (testing::internal::GetCapturedStderr(), "") << "no pose makes some";
 }
 
+TEST (ObjectInputs, NormalsWithoutUnitLengthAreToldWhereTheySplit)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  Extraction extraction;
+  const auto warningOf = [&] {
+    testing::internal::CaptureStderr();
+    extract (extraction, view);
+    return testing::internal::GetCapturedStderr();
+  };
+  extraction.setSplitAtConcaveEdges (true);
+  EXPECT_EQ (warningOf(), "");
+  for (auto& normal : *view.normals)
+    normal.getNormalVector3fMap() *= 2.f;
+  EXPECT_NE (warningOf().find ("no normal has a length of 1"), std::string::npos);
+  EXPECT_EQ (warningOf(), "");
+  extraction.setSplitAtConcaveEdges (false);
+  EXPECT_EQ (warningOf(), "");
+}
+
 TEST (ObjectInputs, LinesOfPixelsAreNoObjectsHoweverFewPointsTheseNeed)
 {
   const View view = look ({floor_slab, table});

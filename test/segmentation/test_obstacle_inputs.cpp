@@ -181,6 +181,31 @@ TEST (ObstacleInputs, APoseThatNobodyGaveIsToldOnceInARow)
   EXPECT_FALSE (detection.isFloorFound());
 }
 
+TEST (ObstacleInputs, NormalsWithoutUnitLengthAreToldOnceInARow)
+{
+  const FloorScene scene (only_floor + a_box, pose);
+  Detection detection;
+  std::vector<Obstacle> obstacles;
+  const auto warningFor = [&] (float length) {
+    auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>> (*scene.normals);
+    for (auto& normal : *normals)
+      normal.getNormalVector3fMap() *= length;
+    setInput (detection, scene);
+    detection.setInputNormals (normals);
+    testing::internal::CaptureStderr();
+    detection.detect (obstacles);
+    return testing::internal::GetCapturedStderr();
+  };
+  for (const float length : {0.f, 0.9f, 100.f}) {
+    EXPECT_NE (warningFor (length).find ("no normal has a length of 1"),
+               std::string::npos)
+        << length;
+    EXPECT_EQ (warningFor (length), "");
+    EXPECT_EQ (warningFor (1.f), "");
+  }
+  EXPECT_EQ (warningFor (not_a_number), "") << "there are none";
+}
+
 TEST (ObstacleInputs, AnyImageSizeWorksAndObjectsCanBeReused)
 {
   Detection detection;

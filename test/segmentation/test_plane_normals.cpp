@@ -107,7 +107,7 @@ TEST (PlaneNormals, AnotherLengthOfAllIsTold)
     segment (segmentation, result);
     return testing::internal::GetCapturedStderr();
   };
-  for (const float length : {0.01f, 0.9f, 1.f, 1.1f, 100.f}) {
+  for (const float length : {0.f, 0.01f, 0.9f, 1.f, 1.1f, 100.f}) {
     const Normals::Ptr normals = estimateNormals (scene.cloud);
     for (auto& normal : *normals)
       normal.getNormalVector3fMap() *= length;
@@ -120,10 +120,10 @@ TEST (PlaneNormals, AnotherLengthOfAllIsTold)
   // It is not for their length that there are no planes.
   min_inliers = 1000000;
   EXPECT_EQ (warningFor (estimateNormals (scene.cloud)), "");
-  for (const float missing : {0.f, synthetic::nan})
-    EXPECT_EQ (warningFor (pcl::make_shared<Normals> (
-                   320, 240, pcl::Normal (missing, missing, missing))),
-               "");
+  constexpr float missing = synthetic::nan;
+  EXPECT_EQ (warningFor (pcl::make_shared<Normals> (
+                 320, 240, pcl::Normal (missing, missing, missing))),
+             "");
   const Normals::Ptr one = estimateNormals (scene.cloud);
   for (std::size_t i = 2; i < one->size(); ++i)
     (*one)[i].getNormalVector3fMap() *= 100.f;

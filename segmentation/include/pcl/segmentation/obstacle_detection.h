@@ -50,7 +50,8 @@ namespace pcl {
  *
  * A null, empty or unorganized cloud, normals or labels that are missing or of another size,
  * or an index outside of the cloud: an error message and empty outputs. No floor while
- * setCameraToBase was not called: a warning, once for frames in a row.
+ * setCameraToBase was not called, or normals of which none has a length of 1: a warning, once
+ * for frames in a row.
  *
  * \ingroup segmentation
  */
@@ -287,6 +288,10 @@ private:
   void
   warnOfPose (bool is_lost);
 
+  /** \brief Warns if obstacles were found, but no normal of unit length (\a have_no_length). */
+  void
+  warnOfNormals (bool have_no_length);
+
   PointCloudNConstPtr normals_;
   PointCloudLConstPtr labels_;
   rgbd_planes::PlaneVectors coefficients_;
@@ -297,7 +302,7 @@ private:
   rgbd_planes::ObstacleExtraction extraction_;
   Eigen::Vector4f floor_ = Eigen::Vector4f::Zero();
   std::vector<std::uint8_t> selected_;
-  bool is_posed_ = false, is_warned_ = false;
+  bool is_posed_ = false, is_warned_ = false, is_warned_of_normals_ = false;
 };
 
 } // namespace pcl

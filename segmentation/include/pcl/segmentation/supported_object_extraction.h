@@ -89,8 +89,9 @@ struct SupportedObject {
  * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
  * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
  * normal for each point: an error message and no objects. Planes of which none is a supporting
- * one, while setCameraToBase was not called: a warning, once for frames in a row. What a setter
- * cannot take: an error message, and the value before stays.
+ * one, while setCameraToBase was not called, or setSplitAtConcaveEdges() with normals of which
+ * none has a length of 1: a warning, once for frames in a row. What a setter cannot take: an
+ * error message, and the value before stays.
  *
  * \ingroup segmentation
  */
@@ -408,6 +409,11 @@ private:
   void
   warnOfPose (bool is_lost);
 
+  /** \brief Warns if objects were split by normals of which none has unit length (\a
+   * have_no_length). */
+  void
+  warnOfNormals (bool have_no_length);
+
   PointCloudNConstPtr normals_;
   Eigen::Affine3f camera_to_base_ = rgbd_planes::defaultCameraToBase();
   rgbd_planes::ObjectParameters parameters_;
@@ -419,7 +425,7 @@ private:
   rgbd_planes::ConcaveSplit split_;
   rgbd_planes::WholeThings whole_things_;
   rgbd_planes::ObjectBoxFinder boxes_;
-  bool is_posed_ = false, is_warned_ = false;
+  bool is_posed_ = false, is_warned_ = false, is_warned_of_normals_ = false;
 };
 
 } // namespace pcl

@@ -66,7 +66,7 @@ normalOutput (pcl::PointCloud<PointT>& cloud)
       &first.normal_x, &first.curvature, stride, std::is_same_v<PointT, pcl::Normal>};
 }
 
-/** \brief Whether there are normals, but none of unit length, to 5 %. */
+/** \brief Whether there are normals, also of length 0, but none of unit length, to 5 %. */
 template <typename PointT>
 bool
 noneIsUnit (const pcl::PointCloud<PointT>& normals)
@@ -76,7 +76,7 @@ noneIsUnit (const pcl::PointCloud<PointT>& normals)
     const float length = std::sqrt (squaredRange (&normal.normal_x));
     if (std::abs (length - 1.f) < 0.05f)
       return false;
-    any |= length > 0.f && std::isfinite (length);
+    any |= std::isfinite (length);
   }
   return any;
 }

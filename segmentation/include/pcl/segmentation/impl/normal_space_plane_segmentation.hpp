@@ -111,8 +111,8 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
   const bool have_no_length = moments.empty() && rgbd_planes::noneIsUnit (*normals_);
   if (rgbd_planes::isFirstInARow (have_no_length, is_warned_of_normals_))
     PCL_WARN (
-        "[pcl::%s] There are no planes, for no normal has a length of 1: scale the "
-        "normals of setInputNormals.\n",
+        "[pcl::%s] There are no planes, for no normal has a length of 1: give unit "
+        "normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
   const bool are_far =
       !moments.empty() &&

@@ -128,6 +128,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::findObstacles (
                        parameters,
                        obstacles);
   warnOfPose (!extraction_.floor().isFound());
+  warnOfNormals (!obstacles.empty() && rgbd_planes::noneIsUnit (*normals_));
   floor_ = extraction_.floor().coefficients();
   floor_[3] -= floor_.head<3>().dot (origin);
 }
@@ -140,6 +141,17 @@ ObstacleDetection<PointT, PointNT, PointLT>::warnOfPose (bool is_lost)
     PCL_WARN (
         "[pcl::%s] No floor at z = 0, which is the height of the camera as long as "
         "setCameraToBase was not called: give the pose of your camera.\n",
+        getClassName().c_str());
+}
+
+template <typename PointT, typename PointNT, typename PointLT>
+void
+ObstacleDetection<PointT, PointNT, PointLT>::warnOfNormals (bool have_no_length)
+{
+  if (rgbd_planes::isFirstInARow (have_no_length, is_warned_of_normals_))
+    PCL_WARN (
+        "[pcl::%s] Floor may be taken for obstacles, for no normal has a length of "
+        "1: give unit normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
 }
 

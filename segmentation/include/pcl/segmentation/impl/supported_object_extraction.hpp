@@ -124,6 +124,8 @@ SupportedObjectExtraction<PointT, PointNT>::findObjects (
   }
   objects.resize (count);
   warnOfPose (!planes_.empty() && supports_.planes().empty());
+  warnOfNormals (parameters_.split_at_concave_edges && !objects.empty() &&
+                 rgbd_planes::noneIsUnit (*normals_));
 }
 
 template <typename PointT, typename PointNT>
@@ -138,6 +140,17 @@ SupportedObjectExtraction<PointT, PointNT>::warnOfPose (bool is_lost)
         getClassName().c_str(),
         getMinPlaneHeight(),
         getMaxPlaneHeight());
+}
+
+template <typename PointT, typename PointNT>
+void
+SupportedObjectExtraction<PointT, PointNT>::warnOfNormals (bool have_no_length)
+{
+  if (rgbd_planes::isFirstInARow (have_no_length, is_warned_of_normals_))
+    PCL_WARN (
+        "[pcl::%s] Objects may be split wrongly, for no normal has a length of 1: "
+        "give unit normals to setInputNormals, NaN where there is none.\n",
+        getClassName().c_str());
 }
 
 template <typename PointT, typename PointNT>
