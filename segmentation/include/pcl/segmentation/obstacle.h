@@ -60,7 +60,8 @@ struct VirtualScan {
   /** ranges[i] is the distance in the xy plane of the base frame of the closest point
    * whose direction is angle_min + i * angle_increment, rounded; where columns of the
    * image that an obstacle fills are more than a direction apart, the directions between them have
-   * the range of the column that is nearer in direction. As REP 117 of ROS has it,
+   * the range of the column that is nearer in direction. Between rows, which take their place
+   * where the camera is rolled by 90 degrees, such gaps stay. As REP 117 of ROS has it,
    * infinite where no obstacle is seen, which includes directions outside of the image, and
    * negative infinity where that point is nearer than range_min. */
   std::vector<float> ranges;
