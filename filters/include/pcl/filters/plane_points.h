@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/StdVector>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -57,6 +58,32 @@ inline Eigen::Vector3d
 inverseDistance (const Eigen::Vector4f& plane)
 {
   return -plane.head<3>().cast<double>() / plane[3];
+}
+
+/** \brief The default of ProjectOntoPlanes::setMaxRayFactor(). */
+constexpr float default_max_ray_factor = 10.f;
+
+/** \brief A point of the plane: where the ray from \a sensor through \a point meets it, or the
+ * nearest one where that is farther than \a max_ray_factor times the distance of \a point from
+ * the plane, or behind the sensor. \a point itself for planes that are NaN. */
+inline Eigen::Vector3f
+projectOnto (const Eigen::Vector4f& plane,
+             const Eigen::Vector3f& sensor,
+             const Eigen::Vector3f& point,
+             float max_ray_factor)
+{
+  const Eigen::Vector3f normal = plane.head<3>();
+  const Eigen::Vector3f ray = point - sensor;
+  const float along_normal = normal.dot (ray);
+  const float d = plane[3] + normal.dot (sensor);
+  const float distance = along_normal + d;
+  if (!std::isfinite (distance))
+    return point;
+  const float scale = -d / along_normal;
+  const bool is_steep = std::abs (along_normal) * max_ray_factor > ray.norm();
+  if (is_steep && scale > 0.f)
+    return sensor + scale * ray;
+  return point - distance * normal;
 }
 
 /** \brief For each of \a size points the last plane that it is an inlier of, or a number

@@ -124,16 +124,11 @@ private:
   bool
   assignPlanes ();
 
-  void
-  project (const Eigen::Vector4f& plane,
-           const Eigen::Vector3f& sensor,
-           PointT& point) const;
-
   rgbd_planes::PlaneVectors planes_;
   std::vector<PointIndices> inliers_;
   Labels::ConstPtr labels_; // null where the points of planes are inliers_
   Direction direction_ = Direction::viewing_ray;
-  float max_ray_factor_ = 10.f;
+  float max_ray_factor_ = rgbd_planes::default_max_ray_factor;
   std::vector<std::uint32_t> plane_of_; // for each point; no plane: a number beyond
 };
 

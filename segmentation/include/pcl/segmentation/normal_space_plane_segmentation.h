@@ -223,8 +223,8 @@ public:
     return parameters_.grid;
   }
 
-  /** \brief Whether points of contours are moved to the nearest point of their plane;
-   * default false: they are points of the input. */
+  /** \brief Whether points of contours are moved onto their plane, along their viewing rays
+   * as ProjectOntoPlanes does by default; default false: they are points of the input. */
   void
   setProjectPoints (bool project_points)
   {
@@ -400,7 +400,7 @@ private:
 
   void
   fillContour (const Indices& boundary,
-               const rgbd_planes::Plane& plane,
+               const Eigen::Vector4f& plane,
                typename pcl::PointCloud<PointT>::VectorType& contour) const;
 
   PointCloudNConstPtr normals_;

@@ -8,7 +8,6 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/filters/project_onto_planes.h>
 
-#include <cmath>
 #include <string>
 
 namespace pcl {
@@ -87,35 +86,17 @@ ProjectOntoPlanes<PointT>::applyFilter (PointCloud& output)
     return;
   }
   const Eigen::Vector3f sensor = input_->sensor_origin_.template head<3>();
+  const bool follows_ray = direction_ == Direction::viewing_ray;
+  const float max_ray_factor = follows_ray ? max_ray_factor_ : 0.f;
   output = *input_;
   for (const pcl::index_t index : *indices_) {
     const auto i = static_cast<std::size_t> (index);
-    if (plane_of_[i] < planes_.size() && rgbd_planes::isMeasured (&output[i].x))
-      project (planes_[plane_of_[i]], sensor, output[i]);
+    if (plane_of_[i] < planes_.size() && rgbd_planes::isMeasured (&output[i].x)) {
+      Eigen::Map<Eigen::Vector3f> xyz (&output[i].x);
+      xyz =
+          rgbd_planes::projectOnto (planes_[plane_of_[i]], sensor, xyz, max_ray_factor);
+    }
   }
-}
-
-template <typename PointT>
-void
-ProjectOntoPlanes<PointT>::project (const Eigen::Vector4f& plane,
-                                    const Eigen::Vector3f& sensor,
-                                    PointT& point) const
-{
-  const Eigen::Vector3f normal = plane.head<3>();
-  Eigen::Map<Eigen::Vector3f> xyz (&point.x);
-  const Eigen::Vector3f p = xyz - sensor;
-  const float along_normal = normal.dot (p);
-  const float d = plane[3] + normal.dot (sensor);
-  const float distance = along_normal + d;
-  if (!std::isfinite (distance))
-    return;
-  // The point where the ray meets the plane, relative to p.
-  const float scale = -d / along_normal;
-  const bool is_steep = std::abs (along_normal) * max_ray_factor_ >= p.norm();
-  if (direction_ == Direction::viewing_ray && is_steep && scale > 0.f)
-    xyz = sensor + scale * p;
-  else
-    xyz -= distance * normal;
 }
 
 } // namespace pcl

@@ -6,6 +6,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/region_contour.h>
 
@@ -198,7 +199,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
                                        {},
                                        coefficients);
     regions[k].setCurvature (static_cast<float> (moments.curvature()));
-    fillContour (boundary, planes[k], regions[k].getContour());
+    fillContour (boundary, coefficients, regions[k].getContour());
   }
 }
 
@@ -206,15 +207,17 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillContour (
     const Indices& boundary,
-    const rgbd_planes::Plane& plane,
+    const Eigen::Vector4f& plane,
     typename pcl::PointCloud<PointT>::VectorType& contour) const
 {
+  const Eigen::Vector3f sensor = sensor_origin_.head<3>();
   contour.resize (boundary.size());
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     contour[i] = (*input_)[boundary[i]];
     if (project_points_) {
       Eigen::Map<Eigen::Vector3f> xyz (&contour[i].x);
-      xyz -= plane.distance (xyz.data()) * plane.normal;
+      xyz = rgbd_planes::projectOnto (
+          plane, sensor, xyz, rgbd_planes::default_max_ray_factor);
     }
   }
 }
