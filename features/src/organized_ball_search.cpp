@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/features/organized_ball_search.h>
+#include "organized_ball_search.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/features/organized_ball_search.h>
+#include "organized_ball_search.h"
+#include "two_run_plane.h"
+
 #include <pcl/features/threads.h>
 #include <pcl/features/two_run_normals.h>
-#include <pcl/features/two_run_plane.h>
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 

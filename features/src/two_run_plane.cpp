@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/features/two_run_plane.h>
+#include "two_run_plane.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "organized_ball_search.h"
 #include "synthetic_clouds.h"
 
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/features/organized_ball_search.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>

@@ -84,7 +84,8 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
   computeAll (all_normals_);
   std::size_t valid = 0;
   for (std::size_t i = 0; i < indices_->size(); ++i) {
-    const pcl::Normal& normal = all_normals_[(*indices_)[i]];
+    const auto index = static_cast<std::size_t> ((*indices_)[i]);
+    const pcl::Normal& normal = all_normals_[index];
     output[i].normal_x = normal.normal_x;
     output[i].normal_y = normal.normal_y;
     output[i].normal_z = normal.normal_z;

@@ -104,7 +104,7 @@ NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output
 
   if constexpr (pcl::traits::has_xyz<PointOutT>::value)
     for (std::size_t i = 0; i < output.size(); ++i) {
-      const PointInT& point = (*input_)[(*indices_)[i]];
+      const auto& point = (*input_)[static_cast<std::size_t> ((*indices_)[i])];
       output[i].x = point.x;
       output[i].y = point.y;
       output[i].z = point.z;
@@ -118,8 +118,8 @@ NormalEstimationBase<PointInT, PointOutT>::faceViewpoint (PointCloudOut& output)
   const auto [x, y, z] = viewpoint_;
   for (std::size_t i = 0; i < output.size(); ++i) {
     auto& n = output[i];
-    flipNormalTowardsViewpoint (
-        (*input_)[(*indices_)[i]], x, y, z, n.normal_x, n.normal_y, n.normal_z);
+    const auto& point = (*input_)[static_cast<std::size_t> ((*indices_)[i])];
+    flipNormalTowardsViewpoint (point, x, y, z, n.normal_x, n.normal_y, n.normal_z);
   }
 }
 

@@ -165,7 +165,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillLabels (
   labels.sensor_orientation_ = sensor_orientation_;
   if constexpr (!pcl::traits::has_xyz<PointLT>::value)
     labels.is_dense = true;
-  labels.resize (width_, label_of_point.size() / width_);
+  labels.resize (width_, static_cast<uindex_t> (label_of_point.size() / width_));
   for (std::size_t i = 0; i < label_of_point.size(); ++i)
     labels[i].label = label_of_point[i];
 }
@@ -213,7 +213,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillContour (
   const Eigen::Vector3f sensor = sensor_origin_.head<3>();
   contour.resize (boundary.size());
   for (std::size_t i = 0; i < boundary.size(); ++i) {
-    contour[i] = (*input_)[boundary[i]];
+    contour[i] = (*input_)[static_cast<std::size_t> (boundary[i])];
     if (project_points_) {
       Eigen::Map<Eigen::Vector3f> xyz (&contour[i].x);
       xyz = rgbd_planes::projectOnto (

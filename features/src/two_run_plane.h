@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <pcl/features/rgbd_planes_exports.h>
-
 #include <Eigen/Core>
 
 #include <vector>
@@ -34,7 +32,7 @@ struct LocalPlane {
  * \param[out] plane the plane of the second run
  * \return false if there are fewer than 3 neighbours, or they lie on a line
  */
-PCL_RGBD_PLANES_EXPORTS bool
+bool
 fitPlaneInTwoRuns (const std::vector<Eigen::Vector3f>& neighbours, LocalPlane& plane);
 
 } // namespace rgbd_planes
