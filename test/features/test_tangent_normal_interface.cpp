@@ -4,11 +4,13 @@
 #include "normal_clouds.h"
 
 #include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/features/set_parameter.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <utility>
 
 using synthetic::angleDegrees;
@@ -58,6 +60,28 @@ TEST (TangentNormalInterface, UnorganizedCloudsGiveOneErrorThatNamesTheCure)
   EXPECT_NE (error.find ("ask your camera driver for ordered point clouds"),
              std::string::npos)
       << error;
+}
+
+TEST (TangentNormalInterface, RefusedNumbersSayWhatStays)
+{
+  Estimation estimation;
+  const auto errorOf = [&estimation] (float size) {
+    ::testing::internal::CaptureStderr();
+    estimation.setNormalSmoothingSize (size);
+    return ::testing::internal::GetCapturedStderr();
+  };
+  EXPECT_NE (errorOf (0.f).find ("got 0. Keeping the default, which goes with the "
+                                 "input."),
+             std::string::npos);
+  estimation.setNormalSmoothingSize (8.5f);
+  EXPECT_NE (errorOf (-1.f).find ("got -1. Keeping 8.5."), std::string::npos);
+  double share = 0.;
+  ::testing::internal::CaptureStderr();
+  pcl::rgbd_planes::setParameter (
+      "set", 2., share, pcl::rgbd_planes::Zero::allowed, 1.);
+  EXPECT_NE (::testing::internal::GetCapturedStderr().find (
+                 "at least 0 and at most 1, got 2. Keeping 0."),
+             std::string::npos);
 }
 
 /** Depth registered with a camera of twice the resolution, without filling holes. */

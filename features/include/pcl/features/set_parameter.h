@@ -6,6 +6,7 @@
 #include <pcl/console/print.h>
 
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace pcl {
@@ -19,7 +20,7 @@ constexpr double any_finite = std::numeric_limits<float>::max();
 
 /** \brief What setters of numbers do: \a parameter becomes \a value. One that is NaN,
  * negative, a 0 that is refused or more than \a max: an error message with the name of the
- * setter, and the one before stays.
+ * setter, and the one before stays: a 0 that is refused is a default that goes with the input.
  * \return whether \a parameter has become \a value
  */
 template <typename T>
@@ -38,14 +39,19 @@ setParameter (const std::string& setter,
     parameter = static_cast<T> (value);
     return true;
   }
-  const std::string limit =
-      max < any_finite ? " and at most " + std::to_string (max) : "";
-  PCL_ERROR ("[pcl::%s] The value must be a number, %s 0%s, got %g. Keeping %g.\n",
+  std::ostringstream limit, kept;
+  if (max < any_finite)
+    limit << " and at most " << max;
+  if (may_be_zero || parameter > T (0))
+    kept << parameter;
+  else
+    kept << "the default, which goes with the input";
+  PCL_ERROR ("[pcl::%s] The value must be a number, %s 0%s, got %g. Keeping %s.\n",
              setter.c_str(),
              may_be_zero ? "at least" : "more than",
-             limit.c_str(),
+             limit.str().c_str(),
              value,
-             static_cast<double> (parameter));
+             kept.str().c_str());
   return false;
 }
 
