@@ -16,6 +16,12 @@ install(EXPORT pcl_rgbd_planesTargets NAMESPACE pcl_rgbd_planes:: DESTINATION ${
 # Who gets the library gets its licence. CMAKE_INSTALL_DOCDIR is that of the project around it.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${PROJECT_NAME}
         COMPONENT runtime)
+# Links between these stay as they are.
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${PROJECT_NAME} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc
+        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${PROJECT_NAME} COMPONENT development
+        REGEX "/doc/(CMakeLists.txt|Doxyfile.in|main_page.dox)$" EXCLUDE)
 
 file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 set(pc_includedir ${CMAKE_INSTALL_INCLUDEDIR})

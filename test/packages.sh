@@ -33,6 +33,8 @@ cd /
 [ -s "$work/out/result.json" ]
 pkg-config --exists pcl_rgbd_planes
 cmp "$source/LICENSE" /usr/share/doc/pcl_rgbd_planes/LICENSE
+grep -o '](doc/[^)#]*' "$source/README.md" | cut -c 3- |
+  (cd /usr/share/doc/pcl_rgbd_planes && xargs ls >/dev/null)
 for block in cmake:CMakeLists.txt cpp:planes.cpp; do # of README.md, the first of each
   sed -n "/^\`\`\`${block%%:*}$/,/^\`\`\`$/{/^\`\`\`/!p;/^\`\`\`$/q}" "$source/README.md" \
     >"$work/${block#*:}"
