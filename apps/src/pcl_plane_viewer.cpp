@@ -124,7 +124,6 @@ readOptions (int argc, char** argv)
   options.input =
       readInputOptions (values["input"].as<std::vector<std::string>>().front(), values);
   options.viewer.step = std::exchange (options.input.step, 1);
-  options.viewer.input = options.input.input;
   options.viewer.layers = parseLayers (value ("show"));
   options.viewer.output = value ("output");
   options.rate = parseRate (value ("rate"));
@@ -177,9 +176,12 @@ playInput (const Options& options)
     grabber = openLiveGrabber (*device);
     viewer_options.max_frames = options.input.max_frames;
   }
-  else
-    grabber =
+  else {
+    auto player =
         std::make_unique<FrameGrabber> (options.input, options.rate, options.loop);
+    viewer_options.inputs = player->source().files();
+    grabber = std::move (player);
+  }
   catchInterruption();
   PlaneViewer viewer (viewer_options);
   viewer.play (*grabber);

@@ -225,8 +225,7 @@ PlaneViewer::save()
     return;
   try {
     OutputFiles files;
-    // What the user saves may lie beside a file: FRAME_view is no name of a recording.
-    refuseInputFolder ({options_.input}, options_.output);
+    files.protect (options_.inputs); // FRAME_view is no frame beside FRAME
     files.createFolder (options_.output);
     const auto file = options_.output / (frame_.summary().name + "_view");
     files.write (file.string() + ".png", encodePng (window_.picture()));

@@ -260,16 +260,21 @@ TEST_F (PlaneViewerApp, HelpTellsKeysAndOptions)
 
 TEST_F (PlaneViewerApp, ItsWindowTakesKeys)
 {
-  start ("1.png --output saved" + camera_);
-  ASSERT_TRUE (person_.findWindow ("pcl_plane_viewer"));
-  // Nothing is saved before the first frame is there.
-  EXPECT_TRUE (waitFor ([&] {
-    person_.type ("s");
-    return std::filesystem::exists (folder_ / "saved/1_view.png");
-  }));
-  EXPECT_GT (percentOfFirstPlane ("saved/1_view.png"), 30.);
-  person_.type ("q");
-  EXPECT_EQ (exitCode(), "0\n");
+  for (const std::string arguments : {"1.png --output saved", ". --frames 1"}) {
+    std::filesystem::remove (logs_ / "pid");
+    std::filesystem::remove (logs_ / "code");
+    start (arguments + camera_);
+    ASSERT_TRUE (person_.findWindow ("pcl_plane_viewer"));
+    const std::string view = arguments[0] == '1' ? "saved/1_view.png" : "1_view.png";
+    // Nothing is saved before the first frame is there.
+    EXPECT_TRUE (waitFor ([&] {
+      person_.type ("s");
+      return std::filesystem::exists (folder_ / view);
+    }));
+    EXPECT_GT (percentOfFirstPlane (view), 30.);
+    person_.type ("q");
+    EXPECT_EQ (exitCode(), "0\n");
+  }
 }
 
 TEST_F (PlaneViewerApp, CtrlCEndsIt) { expectEndBySignal (SIGINT); }

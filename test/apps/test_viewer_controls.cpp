@@ -98,26 +98,20 @@ TEST_F (ViewerControlsTest, KeySSavesTheViewAndTheFrame)
   }
 }
 
-TEST_F (ViewerControlsTest, NothingIsSavedAmongTheInputs)
+TEST_F (ViewerControlsTest, InputsAreNotReplacedByViews)
 {
-  options_.input = options_.output;
-  viewer_.reset();
-  viewer_ = std::make_unique<PlaneViewer> (options_);
-  viewer_->show (viewer_scene::makeFrame());
-  press ('s');
-  EXPECT_TRUE (says (": is a folder of INPUT"));
-  EXPECT_TRUE (listFolder (folder_.path()).empty());
-}
-
-TEST_F (ViewerControlsTest, TheViewIsSavedBesideAFile)
-{
-  options_.input = options_.output / "frame.pcd";
-  writeFile (options_.input, "");
-  viewer_.reset();
-  viewer_ = std::make_unique<PlaneViewer> (options_);
-  viewer_->show (viewer_scene::makeFrame());
-  press ('s');
-  EXPECT_TRUE (says ("\nsaved "));
+  for (const std::string name : {"scene_view.pcd", "scene_view.png"}) {
+    writeFile (folder_ / name, "input");
+    options_.inputs = {folder_ / name};
+    viewer_.reset();
+    viewer_ = std::make_unique<PlaneViewer> (options_);
+    viewer_->show (viewer_scene::makeFrame());
+    press ('s');
+    EXPECT_TRUE (says (": is an input"));
+    EXPECT_EQ (listFolder (folder_.path()), std::vector<std::string>{name});
+    EXPECT_EQ (readFile (folder_ / name), "input");
+    std::filesystem::remove (folder_ / name);
+  }
 }
 
 TEST_F (ViewerControlsTest, FoldersThatCannotBeThereAreTold)

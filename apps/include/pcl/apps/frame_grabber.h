@@ -32,6 +32,12 @@ public:
 
   ~FrameGrabber() noexcept override;
 
+  const FrameSource&
+  source () const
+  {
+    return source_;
+  }
+
   /** \brief Goes on with the next frame; at the end, with the first one. */
   void
   start () override;

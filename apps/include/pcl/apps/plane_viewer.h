@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -33,8 +34,8 @@ struct ViewerOptions {
   std::size_t max_frames = std::numeric_limits<std::size_t>::max();
   /** Where views are saved. */
   std::filesystem::path output = ".";
-  /** A folder of frames, where views are not saved. */
-  std::filesystem::path input;
+  /** Files that views do not replace. */
+  std::vector<std::filesystem::path> inputs;
 };
 
 /** \brief What the keys of the viewer do, one a line. */
