@@ -126,6 +126,12 @@ readOptions (int argc, char** argv)
   options.viewer.step = std::exchange (options.input.step, 1);
   options.viewer.layers = parseLayers (value ("show"));
   options.viewer.output = value ("output");
+  if (!values["output"].defaulted() && !values.count ("screenshot")) {
+    // An unwritable place is known before the key s.
+    OutputFiles files;
+    files.createFolder (options.viewer.output);
+    files.reserve (options.viewer.output / "FRAME_view.png");
+  }
   options.rate = parseRate (value ("rate"));
   options.loop = values.count ("loop") != 0;
   if (values.count ("base-transform"))

@@ -185,6 +185,8 @@ TEST_F (PlaneViewerApp, BadUsageIsRefused)
   expectRefused ("sim:room --corrected missing.pcd", "missing.pcd");
   expectRefused ("live:missing.oni", "live:missing.oni: ");
   expectRefused ("sim:room --screenshot missing/seen.png", "missing/seen.png");
+  expectRefused ("sim:room --output 1.png", "1.png: cannot create this folder");
+  expectRefused ("sim:room --output /proc", "/proc/FRAME_view.png: cannot write");
   std::filesystem::create_directory (folder_ / "taken.png");
   expectRefused ("sim:room --screenshot taken.png", "no regular file");
   std::filesystem::remove (folder_ / "taken.png");
