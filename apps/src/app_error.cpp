@@ -12,6 +12,13 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+/** What runApp() runs. */
+std::string app_name;
+
+} // namespace
+
 void
 flushOutput ()
 {
@@ -19,9 +26,16 @@ flushOutput ()
     throw AppError ("cannot write to standard output");
 }
 
+void
+printNotice (const std::string& line)
+{
+  std::cerr << app_name << ": " << line << '\n';
+}
+
 int
 runApp (const std::string& name, const std::function<void()>& body)
 {
+  app_name = name;
   std::string message;
   try {
     body();

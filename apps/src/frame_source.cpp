@@ -19,7 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
+#include <fstream>
 #include <memory>
 #include <set>
 #include <system_error>
@@ -63,10 +63,10 @@ readDepthImage (const fs::path& file, const DepthCamera& camera)
                     "far from which the principal point of --intrinsics is: give "
                     "fx,fy,cx,cy of these images");
   if (off > 0.2f && !std::exchange (*camera.doubt_is_told, true))
-    std::cerr << size
-              << "far from whose middle the principal point of --intrinsics is: give "
+    printNotice (size +
+                 "far from whose middle the principal point of --intrinsics is: give "
                  "fx,fy,cx,cy of these images in full, unless they are parts of larger "
-                 "ones\n";
+                 "ones");
   return toCloud (image, camera.intrinsics, camera.units_per_metre);
 }
 
@@ -244,7 +244,7 @@ FrameSource::addFolder (const fs::path& folder)
   const bool takes_images = !images.empty() && (clouds.empty() || asks_for_images);
   const auto tell = [&] (std::size_t count, const char* what) {
     if (count > 0)
-      std::cerr << folder.string() << ": " << count << ' ' << what << '\n';
+      printNotice (folder.string() + ": " + std::to_string (count) + ' ' + what);
   };
   if (takes_images) {
     tell (clouds.size(),
@@ -307,7 +307,8 @@ FrameSource::addFile (const fs::path& file)
     return;
   }
   if (!hasExtension (file, ".png"))
-    throw AppError (file.string() + ": neither a .pcd nor a .png file");
+    throw AppError (file.string() + ": neither a .pcd nor a .png file" +
+                    (file.filename() == "depth.txt" ? "; give its folder" : ""));
   if (!options_.intrinsics)
     throw AppError (file.string() +
                     ": a depth image needs its camera: add --intrinsics "

@@ -242,7 +242,7 @@ segmentPlanes (int argc, char** argv)
   printStageTimes (std::cout, summaries);
   flushOutput();
   for (const auto& line : notices.lines())
-    std::cerr << "pcl_segment_planes: " << line << '\n';
+    printNotice (line);
 }
 
 } // namespace

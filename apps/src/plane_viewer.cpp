@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/apps/app_error.h>
 #include <pcl/apps/encode_pcd.h>
 #include <pcl/apps/frame_grabber.h>
 #include <pcl/apps/input_notices.h>
@@ -89,7 +90,7 @@ PlaneViewer::printNotices() const
   InputNotices notices (options);
   notices.add (frame_.frame(), frame_.summary());
   for (const auto& line : notices.lines())
-    std::cerr << "pcl_plane_viewer: " << line << '\n';
+    printNotice (line);
 }
 
 void

@@ -162,6 +162,11 @@ TEST_F (SegmentUsage, BadUsageIsRefused)
   expectRefused ("--input walls.png --input walls.png", "only 1 INPUT may be given");
   expectRefused (input + "--depth-scale 1000 --intrinsics 131,131,790,59.5",
                  "walls.png: has 160 x 120 pixels, far from which the principal point");
+  EXPECT_EQ (run ("walls.png --depth-scale 1000 --intrinsics 131,131,120,59.5")
+                 .err.rfind ("pcl_segment_planes: walls.png: has 160 x 120 pixels, far "
+                             "from whose middle",
+                             0),
+             0u);
   expectRefused (input + camera_ + "--colour", "see --help");
   expectRefused (input + camera_ + "--frames", "see --help");
   expectRefused (input + camera_ + "--frames 0", "--frames");
@@ -216,6 +221,10 @@ TEST_F (SegmentUsage, BadInputIsRefused)
   expectRefused ("live:none.oni" + output, "no such file");
   writeFile (folder_ / "part.png", readFile (folder_ / "walls.png").substr (0, 100));
   expectRefused ("part.png" + output + camera_, "part.png: the PNG file is incomplete");
+  writeFile (folder_ / "depth.txt", "1.5 walls.png\n");
+  expectRefused ("depth.txt" + output,
+                 "depth.txt: neither a .pcd nor a .png file; give "
+                 "its folder");
   writeFile (folder_ / "empty.pcd", "");
   expectRefused ("empty.pcd" + output, "empty.pcd: not a PCD file");
 }

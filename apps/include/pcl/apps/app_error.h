@@ -21,8 +21,12 @@ class AppError : public std::runtime_error {
 void
 flushOutput ();
 
+/** \brief Prints a line on stderr that is no error, behind the name of the application. */
+void
+printNotice (const std::string& line);
+
 /** \brief Runs the body of an application.
- * \param[in] name of the application, put before the message of an error
+ * \param[in] name of the application, put before the message of an error and before notices
  * \return the exit code: 0, or 1 after an exception, which is told in one line on
  * stderr
  */
