@@ -22,6 +22,7 @@
 #include <fstream>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -85,6 +86,22 @@ listPngFiles (const fs::path& folder)
         return !fs::is_regular_file (file) || !isOtherPng (file);
       });
   return {{files.begin(), pictures}, {pictures, files.end()}};
+}
+
+/** What a TUM RGB-D folder has beside depth. */
+std::vector<fs::path>
+tumFiles (const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  for (const char* name : {"rgb.txt", "accelerometer.txt", "groundtruth.txt"})
+    if (fs::exists (folder / name))
+      files.push_back (folder / name);
+  std::ifstream list (folder / "rgb.txt");
+  std::string line, timestamp, image;
+  while (std::getline (list, line))
+    if (std::istringstream (line) >> timestamp >> image && timestamp[0] != '#')
+      files.push_back (folder / image);
+  return files;
 }
 
 void
@@ -281,6 +298,7 @@ FrameSource::addTumFolder (const fs::path& folder)
   options_.units_per_metre = options_.units_per_metre.value_or (5000.f);
   const DepthCamera camera{
       *options_.intrinsics, *options_.units_per_metre, guessed, camera_doubt_is_told_};
+  files_ = tumFiles (folder);
   files_.push_back (list);
   for (const auto& [time, path] : images) {
     files_.push_back (path);

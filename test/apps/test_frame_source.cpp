@@ -376,6 +376,18 @@ TEST_F (TumFolder, FilesAreKnown)
                                                  folder_ / "depth/9.5.png"}));
   EXPECT_EQ (FrameSource (inputOf (folder_.path())).folders(),
              (std::set<std::filesystem::path>{folder_ / ".", folder_ / "depth/."}));
+  // Results do not replace these either.
+  std::filesystem::create_directory (folder_ / "rgb");
+  writeFile (folder_ / "rgb/9.6.png", "");
+  writeFile (folder_ / "rgb.txt", "# colour images\n9.6 rgb/9.6.png\n\n");
+  writeFile (folder_ / "groundtruth.txt", "");
+  EXPECT_EQ (FrameSource (inputOf (folder_.path())).files(),
+             (std::vector<std::filesystem::path>{folder_ / "rgb.txt",
+                                                 folder_ / "groundtruth.txt",
+                                                 folder_ / "rgb/9.6.png",
+                                                 folder_ / "depth.txt",
+                                                 folder_ / "depth/10.5.png",
+                                                 folder_ / "depth/9.5.png"}));
 }
 
 TEST_F (TumFolder, CameraIsKnown)

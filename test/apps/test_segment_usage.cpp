@@ -284,6 +284,8 @@ TEST_F (SegmentUsage, InputsAreNotReplaced)
   expectRefused ("in/1.png --output in" + camera_, "is a folder of INPUT");
   writeFile (folder_ / "depth.txt", "1.5 in/1.png\n");
   expectRefused (". --output in" + camera_, "in: is a folder of INPUT");
+  writeFile (folder_ / "groundtruth.txt", "");
+  expectRefused (". --json groundtruth.txt" + camera_, "groundtruth.txt: is an input");
   EXPECT_EQ (run ("in/1.png --output ." + camera_).code, 0);
   writeFile (folder_ / "warp.pcd", asciiPcd ("intensity", 2, 2, "0\n0\n0\n0\n"));
   expectRefused ("sim:room --corrected warp.pcd --json warp.pcd",

@@ -93,7 +93,7 @@ public:
   }
 
   /** \brief The files that frames are read from, and those that list them, also of frames
-   * beyond InputOptions::max_frames. */
+   * beyond InputOptions::max_frames, and what a TUM RGB-D folder has beside depth. */
   const std::vector<std::filesystem::path>&
   files () const
   {
