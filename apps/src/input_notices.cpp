@@ -46,15 +46,33 @@ void
 InputNotices::add (const Frame& frame, const FrameSummary& summary)
 {
   const auto& cloud = *frame.cloud;
+  const std::size_t measured = summary.measured_points;
+  const auto count = [&] (const auto& condition) {
+    return static_cast<std::size_t> (
+        std::count_if (cloud.begin(), cloud.end(), [&] (const auto& point) {
+          return isMeasured (point.data) && condition (squaredRange (point.data));
+        }));
+  };
   ++frames_;
-  measured_points_ += summary.measured_points;
-  points_out_of_range_ += static_cast<std::size_t> (
-      std::count_if (cloud.begin(), cloud.end(), [&] (const auto& point) {
-        return isMeasured (point.data) &&
-               squaredRange (point.data) > options_.depth_noise.maxSquaredRange();
-      }));
-  unmeasured_frames_ += summary.measured_points == 0;
-  frames_elsewhere_ += !isInCameraFrame (cloud);
+  measured_points_ += measured;
+  points_out_of_range_ += count ([&] (float squared_range) {
+    return squared_range > options_.depth_noise.maxSquaredRange();
+  });
+  unmeasured_frames_ += measured == 0;
+  constexpr float nearest = 0.01f, farthest = 100.f; // of what depth cameras see
+  const bool is_too_near = 2 * count ([] (float squared_range) {
+                             return squared_range < nearest * nearest;
+                           }) >
+                           measured;
+  // NormalSpacePlaneSegmentation tells of planes there.
+  const bool is_too_far =
+      summary.planes.empty() && 2 * count ([] (float squared_range) {
+                                  return squared_range > farthest * farthest;
+                                }) > measured;
+  if (is_too_near || is_too_far)
+    ++frames_out_of_scale_;
+  else
+    frames_elsewhere_ += !isInCameraFrame (cloud);
   if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
       (options_.find_objects || options_.find_obstacles))
     estimated_pose_ =
@@ -94,6 +112,13 @@ InputNotices::lines() const
         (boost::format ("no measured point in %d of %d frames: all depth is "
                         "missing there; check the camera or the recording") %
          unmeasured_frames_ % frames_)
+            .str());
+  if (frames_out_of_scale_ > 0)
+    lines.push_back (
+        (boost::format ("in %d of %d frames most points are more than 100 m or less "
+                        "than 1 cm away: --depth-scale is units per metre, 1000 for "
+                        "millimetres; .pcd files must be in metres") %
+         frames_out_of_scale_ % frames_)
             .str());
   if (frames_elsewhere_ > 0)
     lines.push_back (

@@ -76,6 +76,21 @@ TEST_F (SegmentUsage, MillimetresAreToldOnce)
   }
 }
 
+TEST_F (SegmentUsage, OtherScalesThanUnitsPerMetreAreTold)
+{
+  writeTwoWalls ("walls.png");
+  const auto noticeAt = [&] (const std::string& scale) {
+    return run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale " + scale).err;
+  };
+  for (const std::string scale : {"0.001", "1e6", "1e30"})
+    EXPECT_NE (noticeAt (scale).find (
+                   "pcl_segment_planes: in 1 of 1 frames most points are more than 100 "
+                   "m or less than 1 cm away: --depth-scale is units per metre, 1000 "
+                   "for millimetres; .pcd files must be in metres\n"),
+               std::string::npos);
+  EXPECT_EQ (noticeAt ("100000"), "") << "1 cm and more";
+}
+
 TEST_F (SegmentUsage, DepthThatOverflowsIsMissing)
 {
   writeTwoWalls ("walls.png");
