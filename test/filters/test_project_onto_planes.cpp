@@ -97,6 +97,18 @@ TEST (ProjectOntoPlanes, OrAlongTheNormal)
   expectNear (output[1], p - distance * slope.head<3>());
 }
 
+TEST (ProjectOntoPlanes, WithoutARayPointsMoveAlongTheNormal)
+{
+  const auto cloud = pcl::make_shared<Cloud> (1, 1, pcl::PointXYZ (1.f, 1.f, 1.f));
+  cloud->sensor_origin_.head<3>().setOnes();
+  Projection projection;
+  projection.setInputCloud (cloud);
+  projection.setPlanes ({model ({-1.f, -1.f, -1.f, 6.f})}, {indices ({0})});
+  Cloud output;
+  projection.filter (output);
+  expectNear (output[0], {2.f, 2.f, 2.f});
+}
+
 TEST (ProjectOntoPlanes, AtGrazingAnglesPointsMoveAlongTheNormal)
 {
   // Over the floor 1 m below the camera, 3 cm off it; the ray meets it at y / z.
