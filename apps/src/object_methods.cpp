@@ -24,8 +24,9 @@ pcl::PointCloud<pcl::PointXYZL>::Ptr
 segmentWithLccp (const Cloud::ConstPtr& cloud)
 {
   constexpr float voxel_m = 0.0075f, seed_m = 0.03f, concavity_degrees = 10.f;
+  constexpr std::uint32_t min_supervoxels = 3;
   pcl::SupervoxelClustering<pcl::PointXYZ> clustering (voxel_m, seed_m);
-  clustering.setUseSingleCameraTransform (false);
+  clustering.setUseSingleCameraTransform (true);
   clustering.setInputCloud (cloud);
   clustering.setColorImportance (0.f);
   clustering.setSpatialImportance (1.f);
@@ -41,7 +42,7 @@ segmentWithLccp (const Cloud::ConstPtr& cloud)
   lccp.setSmoothnessCheck (true, voxel_m, seed_m, 0.1f);
   lccp.setKFactor (0);
   lccp.setInputSupervoxels (supervoxels, adjacency);
-  lccp.setMinSegmentSize (0);
+  lccp.setMinSegmentSize (min_supervoxels);
   lccp.segment();
   auto labelled = clustering.getLabeledCloud();
   lccp.relabelCloud (*labelled);

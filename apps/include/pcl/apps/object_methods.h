@@ -41,9 +41,10 @@ struct ObjectMethod {
 std::vector<ObjectMethod>
 objectMethods (const DepthNoise& noise = {});
 
-/** \brief PCL's SupervoxelClustering (voxels of 7.5 mm, seeds every 3 cm) and LCCPSegmentation
- * (10 degrees, sanity check) on the points of the cloud, "pcl_lccp". Its largest segment is
- * taken for the table. Boxes are not known, nor whether objects are graspable. */
+/** \brief PCL's SupervoxelClustering (voxels of 7.5 mm, seeds every 3 cm, transform for a single
+ * camera) and LCCPSegmentation (10 degrees, sanity check, segments of 3 supervoxels and more) on
+ * the points of the cloud, "pcl_lccp". Its largest segment is taken for the table. Boxes are not
+ * known, nor whether objects are graspable. */
 ObjectMethod
 lccpMethod ();
 
