@@ -63,7 +63,8 @@ DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& step
   for (std::size_t i = 0; i < steps.size(); ++i) {
     runs_[i].step = steps[i];
     runs_[i].pipeline.setDepthNoise (noise);
-    results_.push_back ({resolutionName (steps[i]), {}, {}, {}});
+    results_.push_back (
+        {resolutionName (steps[i]), {}, {}, ObstacleEvaluation (noise)});
   }
 }
 

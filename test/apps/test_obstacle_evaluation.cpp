@@ -51,10 +51,10 @@ protected:
   }
 
   ObstacleEvaluation
-  evaluate () const
+  evaluate (const DepthNoise& noise = {}) const
   {
     const auto numbers = numberObstacles (truth_);
-    ObstacleEvaluation evaluation;
+    ObstacleEvaluation evaluation (noise);
     evaluation.add ({viewPoints (measured_), truth_, numbers, camera_to_base_},
                     classes_);
     return evaluation;
@@ -137,6 +137,16 @@ TEST_F (ObstacleEvaluationTest, FloorPointsThatMeasureSomethingElseDoNotCount)
   EXPECT_EQ (result.floor_points, 999u);
   EXPECT_EQ (result.false_points, 2u);
   EXPECT_NEAR (result.falsePointsPercent(), 200. / 999., 1e-9);
+}
+
+TEST_F (ObstacleEvaluationTest, NoiseOfTheSensorDecidesWhatCounts)
+{
+  const DepthNoise noise{0.004f, 0.004f}; // three standard deviations at 1 m are 24 mm
+  measured_[11].z = 0.98f;
+  EXPECT_EQ (evaluate().obstacles, 2u);
+  EXPECT_EQ (evaluate().floor_points, 999u);
+  EXPECT_EQ (evaluate (noise).obstacles, 1u);
+  EXPECT_EQ (evaluate (noise).floor_points, 1000u);
 }
 
 TEST_F (ObstacleEvaluationTest, FramesArePooled)

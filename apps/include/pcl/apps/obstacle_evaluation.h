@@ -51,6 +51,9 @@ struct ObstacleTruth {
  */
 class ObstacleEvaluation {
 public:
+  /** \param[in] noise of the sensor */
+  explicit ObstacleEvaluation (const DepthNoise& noise = {}) : noise_ (noise) {}
+
   /** \param[in] classes one for each point */
   void
   add (const ObstacleTruth& frame, const std::vector<ObstacleClass>& classes);
