@@ -47,6 +47,11 @@ objectTruth (const Frame& frame, std::uint32_t step)
   else {
     return truth;
   }
+  for (const auto& id : ids)
+    truth.ids.push_back (id.label);
+  const OrganizedPoints points = viewPoints (*frame.cloud);
+  lookAtFullSize (points, frame.truth ? viewPoints (*frame.truth) : points, truth);
+  truth.ids.clear();
   for (const auto& id : subsample (ids, step))
     truth.ids.push_back (id.label);
   return truth;
@@ -76,21 +81,24 @@ objectFigures (const ObjectEvaluation& e)
   const auto count = [&] (std::size_t number) {
     return known ? nlohmann::ordered_json (number) : nlohmann::ordered_json();
   };
-  return {{"objects_percent", percentOf (all.found_50, all.objects)},
-          {"false_objects", count (e.false_objects)},
-          {"false_object_points_percent", e.falsePointsPercent()},
-          {"objects_in_pieces", count (all.in_pieces)},
-          {"objects_80_percent", percentOf (all.found_80, all.objects)},
-          {"objects_apart", count (e.apart.objects)},
-          {"apart_50_percent", percentOf (e.apart.found_50, e.apart.objects)},
-          {"apart_80_percent", percentOf (e.apart.found_80, e.apart.objects)},
-          {"objects_touching", count (e.touching.objects)},
-          {"touching_50_percent", percentOf (e.touching.found_50, e.touching.objects)},
-          {"touching_80_percent", percentOf (e.touching.found_80, e.touching.objects)},
-          {"graspable_right_percent", percentOf (e.graspable_right, e.sized)},
-          {"boxes_right_percent", percentOf (e.boxes_right, e.boxes)},
-          {"boxes_seen", count (e.boxes_seen)},
-          {"boxes_seen_right_percent", percentOf (e.boxes_seen_right, e.boxes_seen)}};
+  return {
+      {"objects_percent", percentOf (all.found_50, all.objects)},
+      {"false_objects", count (e.false_objects)},
+      {"false_object_points_percent", e.falsePointsPercent()},
+      {"full_size_objects", count (e.full_size_objects)},
+      {"full_size_objects_percent", percentOf (e.full_size_found, e.full_size_objects)},
+      {"objects_in_pieces", count (all.in_pieces)},
+      {"objects_80_percent", percentOf (all.found_80, all.objects)},
+      {"objects_apart", count (e.apart.objects)},
+      {"apart_50_percent", percentOf (e.apart.found_50, e.apart.objects)},
+      {"apart_80_percent", percentOf (e.apart.found_80, e.apart.objects)},
+      {"objects_touching", count (e.touching.objects)},
+      {"touching_50_percent", percentOf (e.touching.found_50, e.touching.objects)},
+      {"touching_80_percent", percentOf (e.touching.found_80, e.touching.objects)},
+      {"graspable_right_percent", percentOf (e.graspable_right, e.sized)},
+      {"boxes_right_percent", percentOf (e.boxes_right, e.boxes)},
+      {"boxes_seen", count (e.boxes_seen)},
+      {"boxes_seen_right_percent", percentOf (e.boxes_seen_right, e.boxes_seen)}};
 }
 
 ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps,

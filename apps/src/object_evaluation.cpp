@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <map>
-#include <set>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -26,7 +25,6 @@ struct Region {
   std::vector<Eigen::Vector3f> positions;
   Eigen::AlignedBox3f bounds;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  bool is_apart = true;
   /** With at least half of their points on it. */
   std::size_t clusters = 0;
 
@@ -88,16 +86,6 @@ areApart (const Region& a, const Region& b)
   return true;
 }
 
-void
-markApart (Regions& regions)
-{
-  for (auto a = regions.begin(); a != regions.end(); ++a)
-    for (auto b = std::next (a); b != regions.end(); ++b)
-      if ((a->second.is_apart || b->second.is_apart) &&
-          !areApart (a->second, b->second))
-        a->second.is_apart = b->second.is_apart = false;
-}
-
 /** The sides, the two horizontal ones by size. */
 Eigen::Vector3f
 sorted (Eigen::Vector3f size)
@@ -152,13 +140,28 @@ ObjectCounts::operator+= (const ObjectCounts& other)
 }
 
 void
+lookAtFullSize (const OrganizedPoints& points,
+                const OrganizedPoints& positions,
+                ObjectTruth& truth)
+{
+  const Regions regions = collectRegions (points, positions, truth);
+  for (auto a = regions.begin(); a != regions.end(); ++a) {
+    if (a->second.isAskedFor())
+      truth.full_size.insert (a->first);
+    for (auto b = std::next (a); b != regions.end(); ++b)
+      if ((!truth.touching.count (a->first) || !truth.touching.count (b->first)) &&
+          !areApart (a->second, b->second))
+        truth.touching.insert ({a->first, b->first});
+  }
+}
+
+void
 ObjectEvaluation::add (const OrganizedPoints& points,
                        const OrganizedPoints& positions,
                        const ObjectTruth& truth,
                        const std::vector<FoundObject>& found_objects)
 {
   Regions regions = collectRegions (points, positions, truth);
-  markApart (regions);
   for (std::size_t i = 0; i < points.size(); ++i)
     measured_ += isMeasured (points[i]);
 
@@ -184,19 +187,24 @@ ObjectEvaluation::add (const OrganizedPoints& points,
           static_cast<double> (both) /
           static_cast<double> (region.positions.size() + object.indices.size() - both);
       // Only at exactly one half could a second pair have either of the two.
-      if (iou < 0.5 || !region.isAskedFor() || !taken.insert (id).second)
+      if (iou < 0.5 || !taken.insert (id).second)
         continue;
-      ObjectCounts& counts = region.is_apart ? apart : touching;
+      full_size_found += truth.full_size.count (id);
+      if (!region.isAskedFor())
+        break;
+      const bool is_apart = truth.touching.count (id) == 0;
+      ObjectCounts& counts = is_apart ? apart : touching;
       ++counts.found_50;
       counts.found_80 += iou >= 0.8;
-      if (region.is_apart && region.object)
+      if (is_apart && region.object)
         countSize (*region.object, region.positions, object);
       break;
     }
   }
+  full_size_objects += truth.full_size.size();
   for (const auto& [id, region] : regions)
     if (region.isAskedFor()) {
-      ObjectCounts& counts = region.is_apart ? apart : touching;
+      ObjectCounts& counts = truth.touching.count (id) ? touching : apart;
       ++counts.objects;
       counts.in_pieces += region.clusters > 1;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/apps/object_evaluation.h>
+#include <pcl/apps/object_comparison.h>
 
 #include <gtest/gtest.h>
 
@@ -43,8 +43,10 @@ protected:
   evaluate () const
   {
     const OrganizedPoints points{points_.data(), 3, 100, 4};
+    ObjectTruth truth = truth_;
+    lookAtFullSize (points, points, truth);
     ObjectEvaluation evaluation;
-    evaluation.add (points, points, truth_, found_);
+    evaluation.add (points, points, truth, found_);
     return evaluation;
   }
 
@@ -190,4 +192,30 @@ TEST_F (ObjectEvaluationTest, BoxesWhoseSidesAreSeen)
   box.pose = box.pose * Eigen::AngleAxisf (0.5f * static_cast<float> (M_PI),
                                            Eigen::Vector3f::UnitZ());
   EXPECT_EQ (count ({0.009f, 0.09f, 0.05f}).boxes_seen, 1u);
+}
+
+// Two objects on pixels 4 mm apart, with a gap of 16 mm, keep 3 x 5 and 1 x 5 points of them,
+// and a gap of 32 mm.
+TEST (ObjectsOfSmallImages, FullSizeTellsWhatTouchesAndWhatIsAskedFor)
+{
+  Frame frame;
+  frame.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (20, 20);
+  frame.labels.kind = PointLabels::Kind::objects;
+  frame.labels.points.resize (20, 20);
+  for (int v = 0; v < 20; ++v)
+    for (int u = 0; u < 20; ++u) {
+      (*frame.cloud) (u, v).getVector3fMap() << 0.004f * static_cast<float> (u),
+          0.004f * static_cast<float> (v), 1.f;
+      frame.labels.points (u, v).label = u < 10 ? 20 : u < 13 ? 1 : 30;
+    }
+  EXPECT_EQ (objectTruth (frame, 4).touching, (std::set<std::uint32_t>{2, 3}));
+
+  FoundObject left;
+  for (int v = 0; v < 5; ++v)
+    left.indices.insert (left.indices.end(), {5 * v, 5 * v + 1, 5 * v + 2});
+  ObjectEvaluation evaluation;
+  scoreObjects (frame, 4, {left}, evaluation);
+  EXPECT_EQ (evaluation.all().objects, 0u);
+  EXPECT_EQ (evaluation.full_size_objects, 2u);
+  EXPECT_EQ (evaluation.full_size_found, 1u);
 }

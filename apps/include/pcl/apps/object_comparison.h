@@ -27,7 +27,8 @@ struct ObjectResult {
 
 /** \brief The true objects of every step-th pixel of a frame of full resolution: those of the
  * simulation, or of the labels of a .pcd file, where label / 10 is 0 for none, 1 for the table
- * and from 2 on an object (as in mOSD). No ids where nothing is known. */
+ * and from 2 on an object (as in mOSD). Which of them touch is decided at full resolution. No ids
+ * where nothing is known. */
 ObjectTruth
 objectTruth (const Frame& frame, std::uint32_t step);
 

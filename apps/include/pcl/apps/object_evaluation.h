@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace pcl {
@@ -30,6 +31,10 @@ struct ObjectTruth {
   std::vector<std::uint32_t> ids;
   /** Sizes, where they are known; empty otherwise. */
   std::vector<TrueObject> objects;
+  /** Ids of those with another one within 2 cm. */
+  std::set<std::uint32_t> touching;
+  /** Ids of those that ObjectEvaluation asks for in the image of full resolution. */
+  std::set<std::uint32_t> full_size;
 };
 
 /** \brief Objects of one kind: how many there are, how many of them were found with an
@@ -45,6 +50,16 @@ struct ObjectCounts {
   operator+= (const ObjectCounts& other);
 };
 
+/** \brief Finds out which objects touch another one and which are asked for, in an image of full
+ * resolution: with fewer points, those that touch would seem to stand apart.
+ * \param[in] points as measured; only measured points count
+ * \param[in] positions where the points truly are, or \a points where this is unknown
+ */
+void
+lookAtFullSize (const OrganizedPoints& points,
+                const OrganizedPoints& positions,
+                ObjectTruth& truth);
+
 /** \brief How well found objects match true ones, pooled over frames.
  *
  * Objects are asked for when they have at least 50 measured points, their centre is within
@@ -55,8 +70,7 @@ struct ObjectCounts {
 class ObjectEvaluation {
 public:
   /** \param[in] points as measured; only measured points count
-   * \param[in] positions where the points truly are, or \a points where this is unknown:
-   * objects are apart when no point of another is within 2 cm
+   * \param[in] positions where the points truly are, or \a points where this is unknown
    */
   void
   add (const OrganizedPoints& points,
@@ -66,6 +80,10 @@ public:
 
   ObjectCounts apart;
   ObjectCounts touching;
+  /** Those that are asked for at full resolution, few as their points may be here. */
+  std::size_t full_size_objects = 0;
+  /** Of these, with an intersection over union of at least 0.5. */
+  std::size_t full_size_found = 0;
   std::size_t found = 0;
   std::size_t false_objects = 0;
   /** Of objects apart that were found and whose size is known. */
