@@ -231,14 +231,14 @@ PlaneEvaluation::matchPlanes (const OrganizedPoints& points,
 double
 PlaneEvaluation::f1() const
 {
-  const std::size_t all = planes_truth + found_with_truth_;
-  return all ? 2. * static_cast<double> (pairs_) / static_cast<double> (all) : 0.;
+  return 2. * static_cast<double> (pairs_) /
+         static_cast<double> (planes_truth + found_with_truth_);
 }
 
 double
 PlaneEvaluation::meanIou() const
 {
-  return planes_truth ? iou_sum_ / static_cast<double> (planes_truth) : 0.;
+  return iou_sum_ / static_cast<double> (planes_truth);
 }
 
 double

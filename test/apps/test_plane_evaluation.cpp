@@ -136,6 +136,16 @@ TEST_F (PlaneEvaluationTest, SmallTruePlanesAreNotAskedFor)
   EXPECT_EQ (result.noise, 0u);
 }
 
+TEST_F (PlaneEvaluationTest, WhereThereIsNothingToFindNothingIsKnown)
+{
+  truth_.labels.assign (400, unlabelled);
+  truth_.coefficients.clear();
+  EXPECT_DOUBLE_EQ (evaluate().f1(), 0.) << "all that is found is false";
+  EXPECT_TRUE (std::isnan (evaluate().meanIou()));
+  found_ = truth_;
+  EXPECT_TRUE (std::isnan (evaluate().f1()));
+}
+
 TEST_F (PlaneEvaluationTest, ErrorsOfPlanesAreMeasuredAtTheirCentroid)
 {
   const float angle = static_cast<float> (7. * M_PI / 180.);

@@ -59,11 +59,13 @@ public:
   std::size_t missed = 0;  /**< true planes */
   std::size_t noise = 0;   /**< found planes */
 
-  /** \brief F1 score of pairs with an intersection of more than half of their union. */
+  /** \brief F1 score of pairs with an intersection of more than half of their union; NaN where
+   * there is neither a true plane nor a found one. */
   double
   f1 () const;
 
-  /** \brief Mean over the true planes of their best intersection over union. */
+  /** \brief Mean over the true planes of their best intersection over union; NaN where there
+   * are none. */
   double
   meanIou () const;
 
