@@ -126,10 +126,13 @@ DetectionComparison::rows() const
 {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const auto& result : results_) {
+    const ObstacleEvaluation& o = result.obstacles;
     nlohmann::ordered_json row = {{"resolution", result.resolution}};
     row.update (objectFigures (result.objects));
-    row["obstacles_percent"] = result.obstacles.obstaclesPercent();
-    row["false_obstacle_points_percent"] = result.obstacles.falsePointsPercent();
+    row["obstacles"] = o.obstacles;
+    row["obstacles_percent"] = o.obstaclesPercent();
+    row["floor_points"] = o.floor_points;
+    row["false_obstacle_points_percent"] = o.falsePointsPercent();
     row["rate_hz"] = 1000. / median (result.milliseconds);
     rows.push_back (std::move (row));
   }

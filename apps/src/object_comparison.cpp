@@ -95,7 +95,9 @@ objectFigures (const ObjectEvaluation& e)
       {"objects_touching", count (e.touching.objects)},
       {"touching_50_percent", percentOf (e.touching.found_50, e.touching.objects)},
       {"touching_80_percent", percentOf (e.touching.found_80, e.touching.objects)},
+      {"sized", count (e.sized)},
       {"graspable_right_percent", percentOf (e.graspable_right, e.sized)},
+      {"boxes", count (e.boxes)},
       {"boxes_right_percent", percentOf (e.boxes_right, e.boxes)},
       {"boxes_seen", count (e.boxes_seen)},
       {"boxes_seen_right_percent", percentOf (e.boxes_seen_right, e.boxes_seen)}};

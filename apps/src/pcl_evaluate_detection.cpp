@@ -33,9 +33,9 @@ An object counts from 50 points on, when it is 1 to 30 cm high, within 3.5 m, an
 the points of one cluster and its own have an intersection over union of 0.5; it stands
 apart when no other is within 2 cm, and is in pieces when two or more clusters have at least
 half of their points on it. False is a cluster with less than half of its points on any object.
-The file of --json also tells how many boxes have sides within 1 cm or 10 % of the true ones,
-of all and of those that are seen: with measured points over both horizontal sides and up to
-the top. Obstacles count from the larger of 1 cm and three standard deviations of depth on, and
+The file of --json also tells how many boxes, of those that stand apart and were found, have
+sides within 1 cm or 10 % of the true ones, of all and of those that are seen: with measured
+points over both horizontal sides and up to the top. Obstacles count from the larger of 1 cm and three standard deviations of depth on, and
 are found when half of their points are. False are floor points that are called an obstacle.
 The rate is that of all stages on one thread: normals, planes, objects, obstacles; to correct
 points is not one of them.

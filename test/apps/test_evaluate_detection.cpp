@@ -75,6 +75,10 @@ TEST_F (EvaluateDetection, ObjectsOnASimulatedTable)
   EXPECT_EQ (rows[0]["apart_50_percent"], 100.);
   EXPECT_EQ (rows[0]["false_objects"], 0);
   EXPECT_EQ (rows[0]["false_object_points_percent"], 0.);
+  EXPECT_EQ (rows[0]["sized"], 1);
+  EXPECT_EQ (rows[0]["boxes"], 1);
+  EXPECT_GT (rows[0]["obstacles"], 0);
+  EXPECT_GT (rows[0]["floor_points"], 0);
   const json methods =
       json::parse (readFile (folder_ / "table.json"))["object_methods"];
   ASSERT_EQ (methods.size(), 3u);
@@ -131,6 +135,7 @@ TEST_F (EvaluateDetection, SaysOfHowManyFramesThereIsNoTruth)
 TEST_F (EvaluateDetection, DepthNoiseHidesWhatIsLow)
 {
   std::vector<double> found;
+  std::vector<std::size_t> obstacles;
   for (const std::string noise : {"kinect_v1", "0.03,0.03"}) {
     const Outcome outcome =
         run ("sim:table_cluttered --resolution qvga --json table.json --object-methods "
@@ -139,11 +144,13 @@ TEST_F (EvaluateDetection, DepthNoiseHidesWhatIsLow)
     ASSERT_EQ (outcome.code, 0) << outcome.err;
     const json row = results().at (0);
     found.push_back (row["objects_percent"]);
+    obstacles.push_back (row["obstacles"]);
     EXPECT_EQ (json::parse (readFile (
                    folder_ / "table.json"))["object_methods"][1]["objects_percent"],
                row["objects_percent"]);
   }
   EXPECT_LT (found[1], 0.5 * found[0]);
+  EXPECT_LT (obstacles[1], obstacles[0]) << "low ones are not asked for";
 }
 
 TEST_F (EvaluateDetection, BadUsage)
