@@ -27,7 +27,7 @@ class Row {
 public:
   explicit Row (const PlaneResult& result)
   {
-    text_ << std::fixed << std::left << std::setw (14) << result.method << std::setw (5)
+    text_ << std::fixed << std::left << std::setw (16) << result.method << std::setw (5)
           << result.resolution << std::right;
   }
 
@@ -175,24 +175,25 @@ jsonRow (const PlaneResult& result)
           {"wall_angle_fit_percent", c.fits_walls.withinPercent()}};
 }
 
-const char main_header[] =
-    "method        size        ms   worst  truth  found  correct   over  under  missed"
-    "  noise    F1   IoU  covered    off   angle  distance\n"
-    "                                                       80 %                      "
-    "          0.5           %      %     deg        mm\n";
+const char main_header[] = "method          size        ms   worst  truth  found  "
+                           "correct   over  under  missed"
+                           "  noise    F1   IoU  covered    off   angle  distance\n"
+                           "                                                         "
+                           "80 %                      "
+                           "          0.5           %      %     deg        mm\n";
 
 const char scene_header[] =
     "\n"
-    "method        size   table IoU  worst  purity  curved labelled  shattered"
+    "method          size   table IoU  worst  purity  curved labelled  shattered"
     "  right angles  pairs in 2 deg   frames  of frames\n"
-    "                                            %                %          %"
+    "                                              %                %          %"
     "        off by               %        %\n";
 
 const char correction_header[] =
     "\n"
-    "method        size  far points  rms before  along ray  along normal"
+    "method          size  far points  rms before  along ray  along normal"
     "   fit  wall pairs  off by   in 1 deg    fit  in 1 deg\n"
-    "                                       mm         mm            mm"
+    "                                         mm         mm            mm"
     "    mm                 deg         %    deg         %\n";
 
 std::string

@@ -5,6 +5,7 @@
 #include <pcl/apps/plane_methods.h>
 #include <pcl/apps/quiet_pcl.h>
 #include <pcl/apps/stopwatch.h>
+#include <pcl/common/angles.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
@@ -175,7 +176,7 @@ areSame (const Additions& a, const Additions& b)
 } // namespace
 
 FindPlanes
-organizedMultiPlanes ()
+organizedMultiPlanes (bool tuned)
 {
   using Estimation = pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal>;
   using Segmentation =
@@ -198,8 +199,13 @@ organizedMultiPlanes ()
                                    label_indices,
                                    boundary_indices);
   };
-  const FindPlanes find =
-      findPlanes (estimation, std::make_shared<Segmentation>(), segment);
+  const auto segmentation = std::make_shared<Segmentation>();
+  if (tuned) {
+    segmentation->setAngularThreshold (pcl::deg2rad (6.));
+    segmentation->setDistanceThreshold (0.05);
+    segmentation->setMaximumCurvature (0.01);
+  }
+  const FindPlanes find = findPlanes (estimation, segmentation, segment);
   return [=] (const Cloud::ConstPtr& cloud,
               unsigned min_inliers,
               SegmentedPlanes& planes) {
@@ -222,8 +228,10 @@ planeMethods (const std::vector<std::string>& without,
               const std::optional<CorrectedOption>& corrected,
               const DepthNoise& noise)
 {
-  std::vector<PlaneMethod> methods{normalSpaceMethod ("normal_space", {}, noise),
-                                   makeMethod ("pcl_omps", organizedMultiPlanes())};
+  std::vector<PlaneMethod> methods{
+      normalSpaceMethod ("normal_space", {}, noise),
+      makeMethod ("pcl_omps", organizedMultiPlanes()),
+      makeMethod ("pcl_omps_tuned", organizedMultiPlanes (true))};
   for (auto list = without.begin(); list != without.end(); ++list) {
     const Additions additions = additionsWithout (*list);
     const auto same = std::find_if (without.begin(), list, [&] (const auto& other) {

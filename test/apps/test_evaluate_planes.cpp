@@ -28,10 +28,10 @@ TEST_F (EvaluatePlanes, SimulatedFramesAgainstTruth)
   EXPECT_EQ (outcome.err, "");
   EXPECT_NE (outcome.out.find ("pcl_omps"), std::string::npos);
   const json rows = results();
-  ASSERT_EQ (rows.size(), 6u);
+  ASSERT_EQ (rows.size(), 9u);
   std::size_t i = 0;
   for (const std::string resolution : {"vga", "qvga", "qqvga"})
-    for (const std::string method : {"normal_space", "pcl_omps"}) {
+    for (const std::string method : {"normal_space", "pcl_omps", "pcl_omps_tuned"}) {
       const json& row = rows[i++];
       EXPECT_EQ (row["method"], method);
       EXPECT_EQ (row["resolution"], resolution);
@@ -81,8 +81,8 @@ TEST_F (EvaluatePlanes, CorrectedDepth)
                                  source);
     ASSERT_EQ (outcome.code, 0) << outcome.err;
     const json rows = results();
-    ASSERT_EQ (rows.size(), 3u);
-    const json &measured = rows[0], &corrected = rows[2];
+    ASSERT_EQ (rows.size(), 4u);
+    const json &measured = rows[0], &corrected = rows[3];
     EXPECT_EQ (corrected["method"], "corrected");
     const auto ratio = [&] (const char* key) {
       return corrected[key].get<double>() / measured[key].get<double>();
@@ -128,14 +128,14 @@ TEST_F (EvaluatePlanes, WithoutAdditions)
                  .code,
              0);
   const json rows = results();
-  ASSERT_EQ (rows.size(), 5u);
+  ASSERT_EQ (rows.size(), 6u);
   EXPECT_EQ (rows[0]["planes_found"], 1);
-  EXPECT_EQ (rows[2]["method"], "no_joining");
-  EXPECT_EQ (rows[2]["planes_found"], 2);
-  EXPECT_EQ (rows[3]["method"], "no_curved,repeat");
-  EXPECT_EQ (rows[3]["planes_found"], 1);
-  EXPECT_EQ (rows[4]["method"], "no_all");
-  EXPECT_EQ (rows[4]["planes_found"], 1) << "a cluster, however many its parts";
+  EXPECT_EQ (rows[3]["method"], "no_joining");
+  EXPECT_EQ (rows[3]["planes_found"], 2);
+  EXPECT_EQ (rows[4]["method"], "no_curved,repeat");
+  EXPECT_EQ (rows[4]["planes_found"], 1);
+  EXPECT_EQ (rows[5]["method"], "no_all");
+  EXPECT_EQ (rows[5]["planes_found"], 1) << "a cluster, however many its parts";
 }
 
 TEST_F (EvaluatePlanes, FramesOfACameraHaveOneSize)

@@ -76,7 +76,7 @@ TEST_F (EvaluateRecordings, WithoutTruthWhatNeedsItIsNull)
   EXPECT_EQ (outcome.err.rfind ("pcl_evaluate_planes: no truth in this input", 0), 0u)
       << outcome.err;
   const json rows = results();
-  ASSERT_EQ (rows.size(), 2u);
+  ASSERT_EQ (rows.size(), 3u);
   for (const char* key : {"planes_truth",
                           "correct_80",
                           "over",
@@ -184,7 +184,8 @@ TEST_F (EvaluateCorner, Pictures)
   evaluate (cloud, "--pictures pictures");
   EXPECT_EQ (listFolder (folder_ / "pictures"),
              (std::vector<std::string>{"corner_normal_space_qvga.png",
-                                       "corner_pcl_omps_qvga.png"}));
+                                       "corner_pcl_omps_qvga.png",
+                                       "corner_pcl_omps_tuned_qvga.png"}));
   const RgbImage picture =
       readRgbPng (folder_ / "pictures" / "corner_normal_space_qvga.png");
   ASSERT_EQ (picture.width, 320u);
