@@ -73,6 +73,7 @@ ObstacleEvaluation::add (const ObstacleTruth& frame,
                          const std::vector<ObstacleClass>& classes)
 {
   std::vector<TrueObstacle> all;
+  const std::size_t floor_points_before = floor_points;
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const TruthPoint& truth = frame.truth[i];
     if (!isMeasured (frame.points[i]) || !std::isfinite (truth.z))
@@ -93,6 +94,8 @@ ObstacleEvaluation::add (const ObstacleTruth& frame,
     obstacle.found += is_obstacle;
   }
 
+  if (floor_points == floor_points_before)
+    return;
   for (const auto& obstacle : all) {
     if (obstacle.points * min_points_divisor < classes.size())
       continue;

@@ -35,10 +35,11 @@ apart when no other is within 2 cm, and is in pieces when two or more clusters h
 half of their points on it. False is a cluster with less than half of its points on any object.
 The file of --json also tells how many boxes, of those that stand apart and were found, have
 sides within 1 cm or 10 % of the true ones, of all and of those that are seen: with measured
-points over both horizontal sides and up to the top. Obstacles count from the larger of 1 cm and three standard deviations of depth on, and
-are found when half of their points are. False are floor points that are called an obstacle.
-The rate is that of all stages on one thread: normals, planes, objects, obstacles; to correct
-points is not one of them.
+points over both horizontal sides and up to the top. Obstacles count in frames that see the
+floor, from the larger of 1 cm and three standard deviations of depth on, and are found when
+half of their points are. False are floor points that are called an obstacle. The rate is that
+of all stages on one thread: normals, planes, objects, obstacles; to correct points is not one
+of them.
 
   pcl_evaluate_detection sim:table_cluttered sim:floor_obstacles --json detection.json
   pcl_evaluate_detection folder_of_pcds --resolution qvga

@@ -139,6 +139,13 @@ TEST_F (ObstacleEvaluationTest, FloorPointsThatMeasureSomethingElseDoNotCount)
   EXPECT_NEAR (result.falsePointsPercent(), 200. / 999., 1e-9);
 }
 
+TEST_F (ObstacleEvaluationTest, WithoutFloorNothingIsAskedFor)
+{
+  for (auto& point : truth_)
+    point.obstacle = 1;
+  EXPECT_EQ (evaluate().obstacles, 0u);
+}
+
 TEST_F (ObstacleEvaluationTest, NoiseOfTheSensorDecidesWhatCounts)
 {
   const DepthNoise noise{0.004f, 0.004f}; // three standard deviations at 1 m are 24 mm

@@ -43,7 +43,8 @@ struct ObstacleTruth {
  * A true obstacle is asked for when its top is at least as high above the floor as the
  * larger of 1 cm and three standard deviations of depth at its mean range, and at least one
  * point in 6000 of the image (51 in VGA) is a measurement of it. It is found when at least
- * half of these points are obstacle or drop-off.
+ * half of these points are obstacle or drop-off. Frames that see no floor do not count: all is an
+ * obstacle there.
  *
  * Floor points are those that see the floor and measure it: their depth is within three
  * standard deviations of the truth. At the rims of obstacles, some pixels that see the
