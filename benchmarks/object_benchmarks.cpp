@@ -37,9 +37,7 @@ runPipeline (benchmark::State& state,
   DetectionPipeline pipeline;
   std::size_t frame = 0; // the clouds come in turn
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
-    pipeline.findPlanes (cloud, camera_to_base[frame++ % clouds.size()]);
-    pipeline.findObjects();
-    pipeline.findObstacles();
+    pipeline.detect (cloud, camera_to_base[frame++ % clouds.size()]);
   });
 }
 

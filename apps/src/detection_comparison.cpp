@@ -35,19 +35,6 @@ subsampleNumbers (const std::vector<std::uint32_t>& numbers,
   return result;
 }
 
-/** All stages; milliseconds. */
-double
-detect (const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
-        const std::optional<Eigen::Affine3f>& camera_to_base,
-        DetectionPipeline& pipeline)
-{
-  const Stopwatch watch;
-  pipeline.findPlanes (cloud, camera_to_base);
-  pipeline.findObjects();
-  pipeline.findObstacles();
-  return watch.milliseconds();
-}
-
 std::string
 number (double value, const char* format)
 {
@@ -80,10 +67,11 @@ DetectionComparison::add (const Frame& frame)
     const auto cloud = measuredCloud (frame, run.step, 2);
     // The first run pays for memory that later ones find in place.
     if (run.points != cloud->size())
-      detect (cloud, frame.camera_to_base, run.pipeline);
+      run.pipeline.detect (cloud, frame.camera_to_base);
     run.points = cloud->size();
-    results_[i].milliseconds.push_back (
-        detect (cloud, frame.camera_to_base, run.pipeline));
+    const Stopwatch watch;
+    run.pipeline.detect (cloud, frame.camera_to_base);
+    results_[i].milliseconds.push_back (watch.milliseconds());
     scoreObjects (frame, run.step, run.pipeline.objects(), results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);

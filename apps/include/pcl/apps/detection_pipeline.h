@@ -37,6 +37,16 @@ public:
     detection_.setDepthNoise (noise);
   }
 
+  /** \brief All stages, of findPlanes(), findObjects() and findObstacles(). */
+  void
+  detect (const Cloud::ConstPtr& cloud,
+          const std::optional<Eigen::Affine3f>& camera_to_base)
+  {
+    findPlanes (cloud, camera_to_base);
+    findObjects();
+    findObstacles();
+  }
+
   /** \brief Normals and planes.
    * \param[in] camera_to_base where the camera is; without, estimateCameraToBase()
    */
