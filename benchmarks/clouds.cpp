@@ -5,6 +5,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/interruption.h>
+#include <pcl/apps/measured_cloud.h>
 #include <pcl/common/io.h>
 #include <pcl/simulation/subsample.h>
 
@@ -15,8 +16,8 @@ namespace rgbd_planes {
 
 namespace {
 
-/** PCL's integral-image normals need 40 x 40 pixels, at every resolution. */
-constexpr std::uint32_t min_pixels = 4 * 40;
+/** At QQVGA, too, there must be enough for PCL. */
+constexpr std::uint32_t min_pixels = 4 * min_pcl_pixels;
 
 } // namespace
 

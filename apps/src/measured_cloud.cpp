@@ -21,15 +21,9 @@ measuredCloud (const Frame& frame, std::uint32_t step, std::uint32_t min_pixels)
     const std::string pixels = std::to_string (min_pixels);
     throw AppError (frame.name + ": is too small as " + resolutionName (step) + ", " +
                     pixels + " x " + pixels + " pixels are needed; use " +
-                    adviceForMorePixels (step));
+                    (step == 1 ? "" : "--resolution vga or ") + "larger frames");
   }
   return cloud;
-}
-
-std::string
-adviceForMorePixels (std::uint32_t step)
-{
-  return step == 1 ? "larger frames" : "--resolution vga or larger frames";
 }
 
 } // namespace rgbd_planes

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/apps/app_error.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
 #include <pcl/apps/measured_cloud.h>
@@ -19,9 +18,6 @@ namespace rgbd_planes {
 namespace {
 
 constexpr char two_run_pca[] = "two_run_pca";
-/** PCL's integral-image normals need their smoothing area, 20 pixels, inside the image.
- */
-constexpr std::uint32_t min_pixels = 40;
 
 } // namespace
 
@@ -43,13 +39,13 @@ NormalComparison::add (const Frame& frame)
 {
   const Task task = makeTask (frame);
   for (auto& resolution : resolutions_)
-    run (resolution, subsampleTask (task, resolution.step));
+    run (resolution, subsampleTask (frame, task, resolution.step));
 }
 
 NormalComparison::Task
 NormalComparison::makeTask (const Frame& frame)
 {
-  Task task{frame.name, pcl::make_shared<Cloud>(), {}, {}};
+  Task task{pcl::make_shared<Cloud>(), {}, {}};
   pcl::copyPointCloud (*frame.cloud, *task.cloud);
   if (!frame.truth) {
     reference_.compute (task.cloud, task.reference);
@@ -66,10 +62,11 @@ NormalComparison::makeTask (const Frame& frame)
 }
 
 NormalComparison::Task
-NormalComparison::subsampleTask (const Task& task, std::uint32_t step)
+NormalComparison::subsampleTask (const Frame& frame,
+                                 const Task& task,
+                                 std::uint32_t step)
 {
-  Task result{task.frame,
-              pcl::make_shared<Cloud> (subsample (*task.cloud, step)),
+  Task result{measuredCloud (frame, step, min_pcl_pixels),
               subsample (task.reference, step),
               {}};
   if (!task.is_edge.empty())
@@ -82,12 +79,6 @@ NormalComparison::subsampleTask (const Task& task, std::uint32_t step)
 void
 NormalComparison::run (Resolution& resolution, const Task& task)
 {
-  const std::string name = resolutionName (resolution.step);
-  if (task.cloud->width < min_pixels || task.cloud->height < min_pixels)
-    throw AppError (task.frame + ": has " + std::to_string (task.cloud->width) + " x " +
-                    std::to_string (task.cloud->height) + " pixels as " + name +
-                    ", and 40 x 40 are needed; use " +
-                    adviceForMorePixels (resolution.step));
   const bool has_truth = !task.is_edge.empty();
   const Normals& tangent = resolution.runners.front().normals;
   for (auto& [method, normals] : resolution.runners) {

@@ -18,8 +18,6 @@ namespace rgbd_planes {
 
 namespace {
 
-/** PCL's integral-image normals need their smoothing area inside the image. */
-constexpr std::uint32_t min_pixels = 40;
 /** The first run pays for memory that later ones find in place, and any may be interrupted.
  */
 constexpr int runs_per_frame = 3;
@@ -47,7 +45,7 @@ PlaneComparison::calibration()
   for (const Run& run : runs_)
     for (const auto& calibrate : run.method.calibration)
       steps.push_back ([step = run.step, calibrate] (const Frame& frame) {
-        const auto cloud = measuredCloud (frame, step, min_pixels);
+        const auto cloud = measuredCloud (frame, step, min_pcl_pixels);
         calibrate (cloud, minPlanePoints (frame, cloud->size()));
       });
   return steps;
@@ -59,7 +57,7 @@ PlaneComparison::add (const Frame& frame)
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     stopIfInterrupted();
     Run& run = runs_[i];
-    const auto cloud = measuredCloud (frame, run.step, min_pixels);
+    const auto cloud = measuredCloud (frame, run.step, min_pcl_pixels);
     const unsigned min_points = minPlanePoints (frame, cloud->size());
     double fastest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < runs_per_frame; ++k)

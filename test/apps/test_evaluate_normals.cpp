@@ -134,7 +134,8 @@ TEST_F (EvaluateNormals, BadUsage)
   expectRefused ("small.pcd --resolution tiny", "tiny");
   expectRefused ("small.pcd --resolution qvga", "; use --resolution vga or larger");
   writePlane ("smaller.pcd", 32);
-  expectRefused ("smaller.pcd --resolution vga", "40 x 40 are needed; use larger");
+  expectRefused ("smaller.pcd --resolution vga",
+                 "40 x 40 pixels are needed; use larger");
   for (const std::string radius : {"1", "1,2,3", "a,b", "0,0", "-1,2", "inf,1"})
     expectRefused ("small.pcd --radius=" + radius, "--radius");
   expectRefused ("small.pcd --radius 1,0 --far-reference", "--far-reference");

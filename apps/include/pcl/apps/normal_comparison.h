@@ -73,7 +73,6 @@ private:
 
   /** A frame at one resolution; \a is_edge is empty without true normals. */
   struct Task {
-    std::string frame;
     Cloud::Ptr cloud;
     Normals reference;
     std::vector<bool> is_edge;
@@ -83,7 +82,7 @@ private:
   makeTask (const Frame& frame);
 
   static Task
-  subsampleTask (const Task& task, std::uint32_t step);
+  subsampleTask (const Frame& frame, const Task& task, std::uint32_t step);
 
   void
   run (Resolution& resolution, const Task& task);
