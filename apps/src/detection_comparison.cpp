@@ -121,6 +121,8 @@ DetectionComparison::rows() const
     row["obstacles_percent"] = o.obstaclesPercent();
     row["floor_points"] = o.floor_points;
     row["false_obstacle_points_percent"] = o.falsePointsPercent();
+    row["false_of_all_floor_points_percent"] =
+        percentOf (o.all_false_points, o.all_floor_points);
     row["rate_hz"] = 1000. / median (result.milliseconds);
     rows.push_back (std::move (row));
   }

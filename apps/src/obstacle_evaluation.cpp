@@ -115,6 +115,8 @@ ObstacleEvaluation::addFloorPoint (const float* point,
                                    const TruthPoint& truth,
                                    bool is_obstacle)
 {
+  ++all_floor_points;
+  all_false_points += is_obstacle;
   const float sigma = noise_.sigma (truth.getVector3fMap().squaredNorm());
   if (std::abs (point[2] - truth.z) > max_sigmas * sigma)
     return;

@@ -137,6 +137,8 @@ TEST_F (ObstacleEvaluationTest, FloorPointsThatMeasureSomethingElseDoNotCount)
   EXPECT_EQ (result.floor_points, 999u);
   EXPECT_EQ (result.false_points, 2u);
   EXPECT_NEAR (result.falsePointsPercent(), 200. / 999., 1e-9);
+  EXPECT_EQ (result.all_floor_points, 1000u);
+  EXPECT_EQ (result.all_false_points, 3u);
 }
 
 TEST_F (ObstacleEvaluationTest, WithoutFloorNothingIsAskedFor)

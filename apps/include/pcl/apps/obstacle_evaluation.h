@@ -63,6 +63,9 @@ public:
   std::size_t found_obstacles = 0; /**< of these */
   std::size_t floor_points = 0;
   std::size_t false_points = 0; /**< floor points that were called something else */
+  /** Points that see the floor, whatever they measure, and those of them that were called
+   * something else. */
+  std::size_t all_floor_points = 0, all_false_points = 0;
 
   /** \brief Found obstacles in percent of those asked for; NaN where there are none. */
   double
