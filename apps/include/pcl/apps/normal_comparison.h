@@ -21,6 +21,7 @@ struct NormalResult {
   std::string resolution;
   /** "truth" or "two_run_pca". */
   std::string reference;
+  /** For each frame, the fastest of up to three runs. */
   std::vector<double> milliseconds;
   NormalDeviations all;
   /** Of pixels within 5 px (of the full image) of a depth edge or crease, and of the
