@@ -21,20 +21,6 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Every step-th of the numbers of an image in each direction, as subsample(). */
-std::vector<std::uint32_t>
-subsampleNumbers (const std::vector<std::uint32_t>& numbers,
-                  std::uint32_t width,
-                  std::uint32_t step)
-{
-  std::vector<std::uint32_t> result;
-  const std::size_t height = numbers.size() / width;
-  for (std::size_t v = 0; v < height; v += step)
-    for (std::size_t u = 0; u < width; u += step)
-      result.push_back (numbers[v * width + u]);
-  return result;
-}
-
 std::string
 number (double value, const char* format)
 {
@@ -61,6 +47,7 @@ DetectionComparison::add (const Frame& frame)
   std::vector<std::uint32_t> obstacles;
   if (frame.truth)
     obstacles = numberObstacles (*frame.truth);
+  const ObjectTruth objects = objectTruth (frame);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     stopIfInterrupted();
     Run& run = runs_[i];
@@ -72,10 +59,11 @@ DetectionComparison::add (const Frame& frame)
     const Stopwatch watch;
     run.pipeline.detect (cloud, frame.camera_to_base);
     results_[i].milliseconds.push_back (watch.milliseconds());
-    scoreObjects (frame, run.step, run.pipeline.objects(), results_[i].objects);
+    scoreObjects (
+        frame, objects, run.step, run.pipeline.objects(), results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);
-      const auto numbers = subsampleNumbers (obstacles, frame.cloud->width, run.step);
+      const auto numbers = subsample (obstacles, frame.cloud->width, run.step);
       results_[i].obstacles.add (
           {viewPoints (*cloud), truth, numbers, *frame.camera_to_base},
           run.pipeline.classes());

@@ -80,14 +80,9 @@ NormalComparison::subsampleTask (const Frame& frame,
                                  const Task& task,
                                  std::uint32_t step)
 {
-  Task result{measuredCloud (frame, step, min_pcl_pixels),
-              subsample (task.reference, step),
-              {}};
-  if (!task.is_edge.empty())
-    for (std::uint32_t v = 0; v < task.cloud->height; v += step)
-      for (std::uint32_t u = 0; u < task.cloud->width; u += step)
-        result.is_edge.push_back (task.is_edge[v * task.cloud->width + u]);
-  return result;
+  return {measuredCloud (frame, step, min_pcl_pixels),
+          subsample (task.reference, step),
+          subsample (task.is_edge, task.cloud->width, step)};
 }
 
 void

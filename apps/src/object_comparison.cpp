@@ -28,49 +28,45 @@ cell (double value)
 } // namespace
 
 ObjectTruth
-objectTruth (const Frame& frame, std::uint32_t step)
+objectTruth (const Frame& frame)
 {
   ObjectTruth truth;
-  pcl::PointCloud<pcl::Label> ids (frame.cloud->width, frame.cloud->height);
   if (frame.truth) {
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      ids[i].label = (*frame.truth)[i].object;
+    for (const auto& point : *frame.truth)
+      truth.ids.push_back (point.object);
     truth.objects = frame.true_objects;
   }
   else if (frame.labels.kind == PointLabels::Kind::objects) {
     // The labels of mOSD are 10 times the object and its part, those below 20 the table.
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const std::uint32_t object = frame.labels.points[i].label / 10;
-      ids[i].label = object >= 2 ? object : 0;
+    for (const auto& point : frame.labels.points) {
+      const std::uint32_t object = point.label / 10;
+      truth.ids.push_back (object >= 2 ? object : 0);
     }
   }
   else {
     return truth;
   }
-  for (const auto& id : ids)
-    truth.ids.push_back (id.label);
   const OrganizedPoints points = viewPoints (*frame.cloud);
   lookAtFullSize (points, frame.truth ? viewPoints (*frame.truth) : points, truth);
-  truth.ids.clear();
-  for (const auto& id : subsample (ids, step))
-    truth.ids.push_back (id.label);
   return truth;
 }
 
 void
 scoreObjects (const Frame& frame,
+              const ObjectTruth& truth,
               std::uint32_t step,
               const std::vector<FoundObject>& found,
               ObjectEvaluation& evaluation)
 {
-  const ObjectTruth truth = objectTruth (frame, step);
   if (truth.ids.empty())
     return;
+  ObjectTruth sampled = truth;
+  sampled.ids = subsample (truth.ids, frame.cloud->width, step);
   const auto cloud = subsample (*frame.cloud, step);
   if (!frame.truth)
-    return evaluation.add (viewPoints (cloud), viewPoints (cloud), truth, found);
+    return evaluation.add (viewPoints (cloud), viewPoints (cloud), sampled, found);
   const auto positions = subsample (*frame.truth, step);
-  evaluation.add (viewPoints (cloud), viewPoints (positions), truth, found);
+  evaluation.add (viewPoints (cloud), viewPoints (positions), sampled, found);
 }
 
 nlohmann::ordered_json
@@ -119,7 +115,8 @@ ObjectComparison::ObjectComparison (const std::vector<std::uint32_t>& steps,
 void
 ObjectComparison::add (const Frame& frame)
 {
-  if (objectTruth (frame, 1).ids.empty())
+  const ObjectTruth truth = objectTruth (frame);
+  if (truth.ids.empty())
     return;
   pcl::PointCloud<pcl::PointXYZ> full;
   pcl::copyPointCloud (*frame.cloud, full);
@@ -135,7 +132,7 @@ ObjectComparison::add (const Frame& frame)
       run.method.compute (input, run.found);
     run.points = input.cloud->size();
     results_[i].milliseconds.push_back (run.method.compute (input, run.found));
-    scoreObjects (frame, run.step, run.found, results_[i].evaluation);
+    scoreObjects (frame, truth, run.step, run.found, results_[i].evaluation);
   }
 }
 

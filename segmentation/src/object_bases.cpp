@@ -14,8 +14,6 @@ namespace rgbd_planes {
 
 namespace {
 
-/** A thing has nearly all of its points where its base says. */
-constexpr double nearly_all = 0.9;
 /** So many points above the higher plane tell what stands beside it from its side. */
 constexpr double side_share = 0.25;
 

@@ -9,12 +9,6 @@
 namespace pcl {
 namespace rgbd_planes {
 
-namespace {
-
-constexpr double nearly_all = 0.9;
-
-} // namespace
-
 Level
 levelOf (const float* p,
          const SupportPlane& support,

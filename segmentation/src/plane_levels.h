@@ -29,6 +29,9 @@ levelOf (const float* p,
 /** So many points of a thing tell where most of it is. */
 constexpr std::size_t decisive_sample = 100;
 
+/** A thing has such a share of its points, at least, where it is said to be. */
+constexpr double nearly_all = 0.9;
+
 /** How many of a number of points are of a kind. */
 struct Share {
   std::size_t part = 0;

@@ -201,20 +201,21 @@ TEST (ObjectsOfSmallImages, FullSizeTellsWhatTouchesAndWhatIsAskedFor)
   Frame frame;
   frame.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>> (20, 20);
   frame.labels.kind = PointLabels::Kind::objects;
-  frame.labels.points.resize (20, 20);
+  frame.labels.points.resize (20u, 20u);
   for (int v = 0; v < 20; ++v)
     for (int u = 0; u < 20; ++u) {
       (*frame.cloud) (u, v).getVector3fMap() << 0.004f * static_cast<float> (u),
           0.004f * static_cast<float> (v), 1.f;
       frame.labels.points (u, v).label = u < 10 ? 20 : u < 13 ? 1 : 30;
     }
-  EXPECT_EQ (objectTruth (frame, 4).touching, (std::set<std::uint32_t>{2, 3}));
+  const ObjectTruth truth = objectTruth (frame);
+  EXPECT_EQ (truth.touching, (std::set<std::uint32_t>{2, 3}));
 
   FoundObject left;
   for (int v = 0; v < 5; ++v)
     left.indices.insert (left.indices.end(), {5 * v, 5 * v + 1, 5 * v + 2});
   ObjectEvaluation evaluation;
-  scoreObjects (frame, 4, {left}, evaluation);
+  scoreObjects (frame, truth, 4, {left}, evaluation);
   EXPECT_EQ (evaluation.all().objects, 0u);
   EXPECT_EQ (evaluation.full_size_objects, 2u);
   EXPECT_EQ (evaluation.full_size_found, 1u);

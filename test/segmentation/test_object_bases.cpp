@@ -12,9 +12,6 @@ using namespace table_objects;
 
 namespace {
 
-constexpr float platform_height = 0.12f;
-const Box platform{{2.f, 0.f, 0.f}, {0.8f, 1.2f, platform_height}};
-
 /** As a segmentation of connected parts has it: a plane in two, left and right of y = 0 in the
  * base frame. */
 void
@@ -47,28 +44,6 @@ TEST (ObjectBases, BesideAHigherTable)
       EXPECT_EQ (objects.front().support, view.top.at (1)) << gap << " " << step;
       EXPECT_NEAR (objects.front().box_size.z(), 0.2f, 0.01f) << gap << " " << step;
     }
-}
-
-TEST (ObjectBases, SticksOutOfAPlatform)
-{
-  for (const float noise : {0.f, 1.f}) {
-    const Box thing{{1.65f, 0.1f, platform_height}, {0.2f, 0.15f, 0.1f}};
-    const View view = look ({floor_slab, platform, thing}, {}, noise);
-    const Objects objects = extract (view);
-    ASSERT_EQ (objects.size(), 1u) << noise;
-    EXPECT_EQ (objects.front().support, view.top.at (1)) << noise;
-    EXPECT_GT (iou (objects.front(), view, 2), 0.9) << noise;
-    EXPECT_NEAR (objects.front().box_size.z(), 0.1f, 0.02f) << noise;
-  }
-}
-
-TEST (ObjectBases, SideOfAPlatformIsOfNoObjectOnIt)
-{
-  for (const float noise : {0.f, 1.f}) {
-    const Box thing{{1.65f, 0.1f, platform_height}, {0.1f, 0.1f, 0.15f}};
-    const View view = look ({floor_slab, platform, thing}, {}, noise);
-    EXPECT_GT (bestIou (extract (view), view, 2), 0.85) << noise;
-  }
 }
 
 TEST (ObjectBases, AcrossTwoPlanesOfOneTable)

@@ -75,6 +75,28 @@ TEST (Platforms, ThingsOnAndBesideOneAreObjectsAndItIsNone)
   }
 }
 
+TEST (Platforms, WhatSticksOutOfOneIsOnIt)
+{
+  for (const float noise : {0.f, 1.f}) {
+    const Box thing = onPlatform (1.65f, 0.1f, {0.2f, 0.15f, 0.1f});
+    const View view = look ({floor_slab, platform, thing}, {}, noise);
+    const Objects objects = extract (view);
+    ASSERT_EQ (objects.size(), 1u) << noise;
+    EXPECT_EQ (objects.front().support, view.top.at (1)) << noise;
+    EXPECT_GT (iou (objects.front(), view, 2), 0.9) << noise;
+    EXPECT_NEAR (objects.front().box_size.z(), 0.1f, 0.02f) << noise;
+  }
+}
+
+TEST (Platforms, TheirSidesAreOfNoObjectOnThem)
+{
+  for (const float noise : {0.f, 1.f}) {
+    const Box thing = onPlatform (1.65f, 0.1f, {0.1f, 0.1f, 0.15f});
+    const View view = look ({floor_slab, platform, thing}, {}, noise);
+    EXPECT_GT (bestIou (extract (view), view, 2), 0.85) << noise;
+  }
+}
+
 TEST (Platforms, ThingsAsHighAsOneElsewhereDoNotWidenIt)
 {
   View view = look ({floor_slab,

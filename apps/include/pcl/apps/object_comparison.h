@@ -25,17 +25,19 @@ struct ObjectResult {
   ObjectEvaluation evaluation;
 };
 
-/** \brief The true objects of every step-th pixel of a frame of full resolution: those of the
- * simulation, or of the labels of a .pcd file, where label / 10 is 0 for none, 1 for the table
- * and from 2 on an object (as in mOSD). Which of them touch is decided at full resolution. No ids
- * where nothing is known. */
+/** \brief The true objects of a frame of full resolution: those of the simulation, or of the
+ * labels of a .pcd file, where label / 10 is 0 for none, 1 for the table and from 2 on an object
+ * (as in mOSD). No ids where nothing is known. */
 ObjectTruth
-objectTruth (const Frame& frame, std::uint32_t step);
+objectTruth (const Frame& frame);
 
 /** \brief Scores what was found in every step-th pixel of a frame of full resolution. Adds
- * nothing where nothing is known of the objects. */
+ * nothing where nothing is known of the objects.
+ * \param[in] truth objectTruth() of the frame
+ */
 void
 scoreObjects (const Frame& frame,
+              const ObjectTruth& truth,
               std::uint32_t step,
               const std::vector<FoundObject>& found,
               ObjectEvaluation& evaluation);

@@ -77,6 +77,7 @@ public:
     return sets_.root (run);
   }
 
+  /** \brief From now on, these hang together. */
   void
   join (std::uint32_t run, std::uint32_t other)
   {

@@ -5,8 +5,10 @@
 
 #include <pcl/point_cloud.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -31,6 +33,18 @@ subsample (const pcl::PointCloud<PointT>& cloud, std::uint32_t step)
   for (std::uint32_t v = 0; v < result.height; ++v)
     for (std::uint32_t u = 0; u < result.width; ++u)
       result (u, v) = cloud (u * step, v * step);
+  return result;
+}
+
+/** \brief The same of one value for each pixel of an image with so many columns. */
+template <typename T>
+std::vector<T>
+subsample (const std::vector<T>& values, std::uint32_t width, std::uint32_t step)
+{
+  std::vector<T> result;
+  for (std::size_t row = 0; row < values.size(); row += std::size_t{width} * step)
+    for (std::size_t u = 0; u < width; u += step)
+      result.push_back (values[row + u]);
   return result;
 }
 
