@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pcl {
 
@@ -14,17 +13,25 @@ namespace {
 
 /** From frame to frame; radians and metres. */
 constexpr float max_turn = 0.5f, max_shift = 1.f;
+constexpr float usual_turn = 0.1f, usual_shift = 0.03f;
 /** Frames for which an unseen plane is remembered. */
 constexpr unsigned max_missed = 15;
 
-/** 1 for the same plane, 0 from the largest turn or shift on. */
+/** 1 for no change, half of that for a usual one, 0 from the largest one on. */
+float
+similarity (float change, float usual, float largest)
+{
+  const float ratio = change / usual;
+  return std::max (0.f, 1.f - change / largest) / (1.f + ratio * ratio);
+}
+
 float
 similarity (const Eigen::Vector4f& a, const Eigen::Vector4f& b)
 {
   const float turn = 2.f * std::asin (std::min (1.f, 0.5f * (a - b).head<3>().norm()));
   const float shift = std::fabs (a.w() - b.w());
-  return std::max (0.f, 1.f - turn / max_turn) *
-         std::max (0.f, 1.f - shift / max_shift);
+  return similarity (turn, usual_turn, max_turn) *
+         similarity (shift, usual_shift, max_shift);
 }
 
 } // namespace
@@ -92,6 +99,12 @@ PlaneTracker::fit (std::uint32_t width, std::uint32_t height)
   height_ = height;
 }
 
+bool
+PlaneTracker::isMissing (std::uint32_t track) const
+{
+  return track != none && tracks_[track].missed > 0;
+}
+
 void
 PlaneTracker::countOverlaps (const PointCloud<Label>& labels)
 {
@@ -104,7 +117,7 @@ PlaneTracker::countOverlaps (const PointCloud<Label>& labels)
     const auto [track, former] = pixels_[i];
     if (track != none)
       ++overlaps_[track * planes + plane];
-    if (former != none && tracks_[former].missed > 0)
+    if (isMissing (former))
       ++overlaps_[former * planes + plane];
   }
 }
@@ -168,10 +181,15 @@ PlaneTracker::remember (const PointCloud<Label>& labels)
   };
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     auto& [track, former] = pixels_[i];
-    if (labels[i].label < planes_.size()) {
-      const auto now = track_of_plane_[labels[i].label];
-      if (now != track)
-        former = std::exchange (track, now);
+    const bool is_labelled = labels[i].label < planes_.size();
+    const auto now = is_labelled ? track_of_plane_[labels[i].label] : none;
+    if (now != track && (is_labelled || !isMissing (track))) {
+      // What is missing may come back here, what is seen is elsewhere.
+      if (track != none && (isMissing (track) || !isMissing (former)))
+        former = track;
+      track = now;
+      if (former == track)
+        former = none;
     }
     forget (track);
     forget (former);

@@ -93,10 +93,13 @@ TEST (PlaneTracker, MoreThanHalfARadianOrAMetreIsAnotherPlane)
 
 TEST (PlaneTracker, TheMoreAPlaneHasChangedTheLessItsPixelsCount)
 {
-  pcl::PlaneTracker tracker;
-  const auto behind = plane (0.f, 0.f, -1.f, 2.8f);
-  EXPECT_EQ (track (tracker, row ({behind, wall}, "aaaaabbb")), (Ids{0, 1}));
-  EXPECT_EQ (track (tracker, row ({wall}, "aaaaaaaa")), (Ids{1}));
+  for (const float gap : {0.1f, 0.3f, 0.8f}) {
+    pcl::PlaneTracker tracker;
+    const auto board = plane (0.f, 0.f, -1.f, 2.f - gap);
+    EXPECT_EQ (track (tracker, row ({board, wall}, "aaaaaaab")), (Ids{0, 1}));
+    EXPECT_EQ (track (tracker, row ({wall}, "aaaaaaaa")), (Ids{1}))
+        << "what was behind a board that is gone";
+  }
 }
 
 TEST (PlaneTracker, TheLargestPartOfAPlaneKeepsItsIdentity)
@@ -121,6 +124,26 @@ TEST (PlaneTracker, HiddenPlanesAreRecognized)
   EXPECT_EQ (track (tracker, row ({wall, ground}, "aaaabbbb")), (Ids{0, 1}));
   EXPECT_EQ (track (tracker, row ({ground, side_of_a_box}, "bbbbbaaa")), (Ids{1, 2}));
   EXPECT_EQ (track (tracker, row ({ground, wall}, "bbbbaaaa")), (Ids{1, 0}));
+}
+
+TEST (PlaneTracker, PlanesHiddenByTwoOthersAreRecognized)
+{
+  pcl::PlaneTracker tracker;
+  const auto front = plane (0.6f, 0.f, -0.8f, 0.6f),
+             side = plane (-1.f, 0.f, 0.f, 0.5f);
+  EXPECT_EQ (track (tracker, row ({wall, front, side}, "aa.bbcc")), (Ids{0, 1, 2}));
+  EXPECT_EQ (track (tracker, row ({front, side}, "aabb...")), (Ids{1, 2}));
+  EXPECT_EQ (track (tracker, row ({side}, "aa.....")), (Ids{2}));
+  EXPECT_EQ (track (tracker, row ({wall}, "aa.....")), (Ids{0}));
+}
+
+TEST (PlaneTracker, WhereAPlaneIsSeenNoMoreOthersAreNotTakenForIt)
+{
+  pcl::PlaneTracker tracker;
+  const auto step = plane (0.f, -1.f, 0.f, 0.8f);
+  EXPECT_EQ (track (tracker, row ({ground}, "aaaaaaaa")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({ground}, "a.......")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({step}, ".aaaaaaa")), (Ids{1}));
 }
 
 TEST (PlaneTracker, PlanesThatAreNotFoundAreRememberedFor15Frames)

@@ -26,12 +26,14 @@ namespace pcl {
  * tracker.track (models, labels, ids); // ids[i] is the identity of models[i]
  * \endcode
  *
- * The motion of the camera need not be known, but must be small from frame to frame: a plane is
- * the one before that covered most of the same pixels, weighted by how little normal and
- * distance have changed; more than 0.5 radians or 1 m is another plane. A plane that is not
- * found, or hidden, or taken for a part of another one, is remembered where it was seen last,
- * for 15 frames. When a plane falls into parts, the part with the largest overlap keeps the
- * identity; when planes are joined, the one with the largest overlap does.
+ * The motion of the camera need not be known, but must be small from frame to frame: planes
+ * must cover some of the pixels that they did before, those with parallel ones beside them half.
+ * A plane is the one before that covered most of the same pixels, which count half where its
+ * normal has turned by 0.1 radians or its distance changed by 3 cm, and less where they changed
+ * more; more than 0.5 radians or 1 m is another plane. A plane that is not found, or hidden, or
+ * taken for a part of another one, is remembered where it was seen last, for 15 frames. When a
+ * plane falls into parts, the part with the largest overlap keeps the identity; when planes are
+ * joined, the one with the largest overlap does.
  *
  * Time is linear in the number of pixels (and in the product of the numbers of planes of two
  * frames). Memory is used again. Frames may change their size.
@@ -90,6 +92,10 @@ private:
   /** \brief Scales pixels_ to the size of a frame. */
   void
   fit (std::uint32_t width, std::uint32_t height);
+
+  /** \brief Whether there is such a track, but not in the last frame. */
+  bool
+  isMissing (std::uint32_t track) const;
 
   void
   countOverlaps (const PointCloud<Label>& labels);
