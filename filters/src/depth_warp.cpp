@@ -96,6 +96,12 @@ DepthWarp::add (const OrganizedPoints& points,
   collectCells (points, plane_of, planes, noise);
   if (!areNear (planes, noise))
     return false;
+  const bool tells_nothing =
+      std::all_of (planes_.begin(), planes_.end(), [] (const PlaneSums& sums) {
+        return sums.cells < min_cells;
+      });
+  if (known_ && frames_ == 0 && tells_nothing) // the warp that was set stays
+    return true;
   try {
     addEquations (planes, noise, right_angles);
     solve (noise);
