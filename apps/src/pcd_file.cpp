@@ -16,6 +16,7 @@
 #include <fstream>
 #include <numeric>
 #include <sstream>
+#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -58,8 +59,8 @@ double
 declaredBytes (const std::string& header)
 {
   std::istringstream lines (header);
-  // Fields are floats, one value each, until the header says otherwise.
-  double largest = sizeof (float), fields = 0., values = 0., points = 0.;
+  double fields = 0., points = 0.;
+  std::vector<double> sizes, counts;
   for (std::string line, key; std::getline (lines, line);) {
     std::istringstream words (line);
     words >> key;
@@ -78,14 +79,23 @@ declaredBytes (const std::string& header)
       if (std::isnan (number)) // a word, which is read as 0
         continue;
       if (startsWith ("SIZE"))
-        largest = std::max (largest, number);
+        sizes.push_back (number);
       else if (startsWith ("COUNT"))
-        values += number;
+        counts.push_back (number);
       else if (startsWith ("POINTS"))
         points = std::max (points, number);
     }
   }
-  return points * largest * std::max (fields, values);
+  const auto speaksOfFields = [&] (const std::vector<double>& numbers) {
+    return static_cast<double> (numbers.size()) == fields;
+  };
+  if (speaksOfFields (sizes) && speaksOfFields (counts))
+    return points * std::inner_product (sizes.begin(), sizes.end(), counts.begin(), 0.);
+  // Fields are floats, one value each, until a line of the header says otherwise.
+  sizes.push_back (sizeof (float));
+  const double values = std::accumulate (counts.begin(), counts.end(), 0.);
+  return points * *std::max_element (sizes.begin(), sizes.end()) *
+         std::max (fields, values);
 }
 
 PcdFile

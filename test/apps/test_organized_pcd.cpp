@@ -251,6 +251,32 @@ TEST (OrganizedPcd, WrongSizesOfCompressedDataAreRefused)
   }
 }
 
+TEST (OrganizedPcd, FramesWithoutDepthMayHaveFieldsOfAnySize)
+{
+  const TemporaryFolder folder;
+  pcl::PCLPointCloud2 cloud;
+  const auto addField = [&] (const std::string& name, std::uint8_t datatype) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.offset = cloud.point_step;
+    field.datatype = datatype;
+    field.count = 1;
+    cloud.fields.push_back (field);
+    cloud.point_step += static_cast<std::uint32_t> (pcl::getFieldSize (datatype));
+  };
+  for (const std::string name : {"x", "y", "z"})
+    addField (name, pcl::PCLPointField::FLOAT32);
+  addField ("timestamp", pcl::PCLPointField::FLOAT64);
+  for (const std::string name : {"ring", "channel", "return", "flags"})
+    addField (name, pcl::PCLPointField::UINT8);
+  cloud.width = 1024;
+  cloud.height = 64;
+  cloud.row_step = cloud.width * cloud.point_step;
+  cloud.data.assign (std::size_t{cloud.row_step} * cloud.height, 0);
+  pcl::PCDWriter().writeBinaryCompressed (folder / "dark.pcd", cloud);
+  EXPECT_EQ (messageOf (folder / "dark.pcd"), "");
+}
+
 TEST (OrganizedPcd, IntensitiesAreRead)
 {
   const TemporaryFolder folder;
