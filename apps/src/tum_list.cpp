@@ -15,12 +15,15 @@ namespace rgbd_planes {
 
 namespace {
 
+/** Since 1970; in smaller units, times are later. */
+constexpr double latest_seconds = 1e11;
+
 double
 parseTime (const std::string& place, const std::string& text)
 {
   const auto seconds = parseNumber<double> (place + ": the timestamp", text);
-  if (!std::isfinite (seconds))
-    throw AppError (place + ": the timestamp '" + text + "' must be finite");
+  if (!(std::abs (seconds) < latest_seconds))
+    throw AppError (place + ": the timestamp '" + text + "' must be seconds");
   return seconds;
 }
 

@@ -423,7 +423,7 @@ TEST_F (TumFolder, BadListsAreRefused)
   EXPECT_TRUE (contains (messageOf (inputOf (folder_.path())), "lists no depth image"));
   writeList ("freiburg1_xyz", "9.5 depth/9.5.png\n10.5\n");
   EXPECT_TRUE (contains (messageOf (inputOf (folder_.path())), "line 4"));
-  for (const std::string time : {"nan", "inf", "-inf", "1.5s"}) {
+  for (const std::string time : {"nan", "inf", "-inf", "1.5s", "1305031102160000000"}) {
     writeList ("freiburg1_xyz", time + " depth/9.5.png\n");
     EXPECT_TRUE (
         contains (messageOf (inputOf (folder_.path())), "line 3: the timestamp"))
