@@ -19,16 +19,15 @@ namespace rgbd_planes {
  * metres, and the range up to which depth is worth using.
  *
  * The defaults are the figures of kinectV1 (). All presets describe the random error of matt
- * surfaces that face the sensor indoors; sunlight, dark or shiny surfaces and grazing
- * views add to it. So those of sensors are the least: planes, objects and obstacles count a
- * frame that has more noise as having it (noiseIn()). Figures of your own are taken as they are.
+ * surfaces that face the sensor indoors; sunlight, dark or shiny surfaces and grazing views add
+ * to it. So presets are lower bounds (is_least): planes, objects and obstacles measure each frame,
+ * and take its noise where it is larger (noiseIn()). Figures of your own are taken as they are.
  *
- * Of stereo cameras, the quadratic part is the error of disparity by focal length and
- * baseline, 0.1 px / (640 px * 0.05 m) = 3.1 mm: take what is found for yours with the
- * normal_scatter of activeStereo (), or what pcl::DepthNoiseEstimation measures, for an error
- * twice as large as said makes objects of bare tables. For depth without noise, as simulators
- * give it, and in whole millimetres, take 0.5 mm + 0.5 mm z^2. Below 0.1 mm, single precision
- * is no longer enough.
+ * For a stereo camera, the quadratic part is the error of disparity divided by focal length and
+ * baseline: 0.1 px / (640 px * 0.05 m) = 3.1 mm. Take what this gives for yours, with the
+ * normal_scatter of activeStereo (), or what pcl::DepthNoiseEstimation measures: an error twice as
+ * large as set makes objects of bare tables. For depth without noise, as simulators give it, and
+ * in whole millimetres, take 0.5 mm + 0.5 mm z^2. Below 0.1 mm, single precision is not enough.
  */
 struct DepthNoise {
   /** In metres. */
@@ -94,7 +93,7 @@ struct DepthNoise {
    *
    * These are the standard deviation of means over a few pixels, by which planes are told
    * apart; single points scatter by 1.43 mm z^2 (Khoshelham and Elberink, 2012), which
-   * the threshold allows for. Chosen for the best planes in simulated rooms.
+   * the threshold allows for. Chosen for the best planes in simulated rooms; no lower bound.
    */
   static DepthNoise
   kinectV1Corrected ()

@@ -137,7 +137,7 @@ public:
 
   /** \brief Let the smoothing area grow with the square root of the range, from its size
    * at 1 m to 2.7 times that; default false, as in PCL. Far points get smoother normals,
-   * in 1.4 to 1.9 times the time. */
+   * in 1.3 to 2.1 times the time. */
   void
   setDepthDependentSmoothing (bool use_depth_dependent_smoothing)
   {
@@ -154,9 +154,8 @@ public:
 
   /** \brief Compute several sizes of the smoothing area, from the given one to 2.7 times
    * that, and choose the most likely normal for each point (section 3 of the paper);
-   * default false. Smoothest, in 1.4 to 1.9 times the time; near edges, areas may be too
-   * large.
-   * Takes the place of depth-dependent smoothing. */
+   * default false. Smoothest, in 1.3 to 2.1 times the time; near edges, areas may be too
+   * large. Takes the place of depth-dependent smoothing. */
   void
   setScaleSelection (bool scale_selection)
   {

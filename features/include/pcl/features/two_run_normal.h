@@ -39,6 +39,7 @@ namespace pcl {
  * cloud; setKSearch, setRadiusSearch and setSearchMethod have no effect.
  *
  * Output and input may be the same cloud, which keeps its other fields; not with indices.
+ * Objects are copyable; several threads need one each.
  *
  * A null or empty cloud, an empty search surface, a \c sensor_origin_ or \c
  * sensor_orientation_ that is not finite, an index outside of the cloud, indices where output

@@ -21,7 +21,7 @@ namespace pcl {
 
 /** \brief Corrects the smooth error of depth that calibration leaves: it bends far walls of a
  * Kinect by centimetres, and tilts them by a degree. The planes of one or more frames of
- * the same camera tell it, see rgbd_planes::DepthWarp.
+ * the same camera tell it, see rgbd_planes::DepthWarp. Not in the paper.
  *
  * \code
  * segmentation.segment (model_coefficients, inlier_indices);
@@ -109,8 +109,8 @@ public:
   }
 
   /** \brief The errors of measured depth, which tell how large the warp may be; default
-   * DepthNoise::kinectV1 (). Counts from the next frame on. What rgbd_planes::setDepthNoise()
-   * refuses: an error message, and the noise before stays. */
+   * DepthNoise::kinectV1 (). Counts from the next frame on; points beyond its range tell nothing.
+   * What rgbd_planes::setDepthNoise() refuses: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

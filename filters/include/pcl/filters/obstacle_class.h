@@ -11,7 +11,7 @@ namespace rgbd_planes {
 /** \brief What ObstacleDetection says of a point: the labels of its output, and of the
  * input of ObstacleFilter. */
 enum class ObstacleClass : std::uint8_t {
-  unmeasured = 0, /**< no depth, beyond the range of the sensor, or not asked for */
+  unmeasured = 0, /**< no depth, beyond the range of the sensor, or not among indices */
   floor = 1,      /**< safe to drive on */
   obstacle = 2,   /**< part of an obstacle */
   drop_off = 3,   /**< below the floor: part of a step down or a hole */

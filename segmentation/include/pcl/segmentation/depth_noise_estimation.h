@@ -28,10 +28,11 @@ namespace pcl {
  * \endcode
  *
  * A plane is fitted to the inverse ranges in each small block of the image, a fortieth of its
- * longer side, or a tenth of the shorter one where that is less. Most blocks of a scene see one smooth surface, and leave the noise; at edges and
- * on small things they leave more. So the first quartile of blocks at similar ranges counts, and
- * twice that, for larger surfaces come out bent by as much again: on recordings of Kinects,
- * Xtions and a RealSense this gives what DepthNoise::kinectV1 () and activeStereo () have.
+ * longer side, or a tenth of the shorter one where that is less, but at least 8 pixels. What it
+ * leaves is the noise where a block sees one smooth surface, as most do, and more at edges and on
+ * small things. So the first quartile of blocks at similar ranges counts, and twice that, for
+ * larger surfaces come out bent by as much again: on recordings of Kinects, Xtions and a RealSense
+ * this gives what DepthNoise::kinectV1 () and activeStereo () have. Not in the paper.
  * Blocks whose points all have one z count only if there are no others: depth is told in steps
  * there that are larger than its noise.
  *

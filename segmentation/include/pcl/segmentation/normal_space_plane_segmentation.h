@@ -56,7 +56,7 @@ namespace pcl {
  * missing or of another size, or an index outside of the cloud: an error message and empty
  * outputs. All planes farther off than 100 m, or none while no normal is of unit length: a
  * warning, once for frames in a row. What a setter cannot take: an error message, and the value
- * before stays.
+ * before stays. Several threads need an object each.
  *
  * \ingroup segmentation
  */
@@ -113,8 +113,8 @@ public:
     return normals_;
   }
 
-  /** \brief Planes with fewer points are not reported; default 1000, as in
-   * OrganizedMultiPlaneSegmentation. */
+  /** \brief Planes with fewer points, or with fewer than 3, are not reported; default 1000, as
+   * in OrganizedMultiPlaneSegmentation, which suits 640 x 480 pixels. */
   void
   setMinInliers (unsigned min_inliers)
   {
@@ -194,9 +194,9 @@ public:
     return parameters_.min_near_normals;
   }
 
-  /** \brief The noise of the sensor, which says how far the points of a plane spread;
-   * default rgbd_planes::DepthNoise::kinectV1 (). What rgbd_planes::setDepthNoise() refuses:
-   * an error message, and the noise before stays. */
+  /** \brief The noise of the sensor, which says how far the points of a plane spread; default
+   * rgbd_planes::DepthNoise::kinectV1 (). Points beyond its range are on no plane. What
+   * rgbd_planes::setDepthNoise() refuses: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
@@ -209,7 +209,7 @@ public:
     return parameters_.noise;
   }
 
-  /** \brief Which of the two grids of section 4.1 collects the normals: voxels
+  /** \brief Which of the two grids of section 4.1 of the paper collects the normals: voxels
    * (default), or cells of their spherical coordinates. */
   void
   setNormalSpaceGrid (rgbd_planes::NormalSpaceGrid grid)
@@ -259,8 +259,8 @@ public:
    * \param[out] model_coefficients a, b, c, d of each plane
    * \param[out] inlier_indices the points of each plane, in ascending order
    * \param[out] centroids the mean of the points of each plane, with 1 as last
-   * component
-   * \param[out] covariances the covariance of the points of each plane
+   * component, in the frame of the cloud
+   * \param[out] covariances the covariance of the points of each plane, in metres^2
    * \param[out] labels the plane of each point, or \ref unlabelled; size of the input
    * \param[out] label_indices the same as \a inlier_indices: one entry for each label
    */
@@ -353,7 +353,7 @@ public:
     return plane_extraction_.rejections();
   }
 
-  /** \brief How long each stage of the last call took. */
+  /** \brief How long each stage of the last call took, in seconds. */
   const rgbd_planes::PlaneStageTimes&
   getStageTimes () const
   {

@@ -47,9 +47,9 @@ struct ScanLimits {
   float max_height = 2.f;
 };
 
-/** \brief Distances to the closest obstacle in each direction: the angles and ranges of a
- * LaserScan message of ROS, by the same names. Its stamp is that of the cloud, its frame the
- * base frame; time_increment and scan_time are 0, and there are no intensities. */
+/** \brief Distances to the closest obstacle in each direction (Holz et al. 2011, section 5.1): the
+ * angles and ranges of a LaserScan message of ROS, by the same names, in radians and metres. Its
+ * stamp is that of the cloud, its frame the base frame; time_increment and scan_time are 0. */
 struct VirtualScan {
   float angle_min = 0.f;
   /** The last direction, angle_min + (ranges.size() - 1) * angle_increment. */

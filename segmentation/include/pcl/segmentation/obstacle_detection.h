@@ -48,10 +48,10 @@ namespace pcl {
  * are specks, errors of the sensor. Where no floor is found, nothing is safe: points clearly
  * below z = 0 are drop-offs if the camera is above it, all other measured points obstacles.
  *
- * A null, empty or unorganized cloud, normals or labels that are missing or of another size,
- * or an index outside of the cloud: an error message and empty outputs. No floor while
- * setCameraToBase was not called, or normals of which none has a length of 1: a warning, once
- * for frames in a row.
+ * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, normals or labels
+ * that are missing or of another size, or an index outside of the cloud: an error message and
+ * empty outputs. No floor while setCameraToBase was not called, or normals of which none has a
+ * length of 1: a warning, once for frames in a row. Several threads need an object each.
  *
  * \ingroup segmentation
  */
@@ -94,7 +94,7 @@ public:
    * \param[in] model_coefficients a, b, c, d of each plane in the frame of the cloud, metres, of
    * any length and sign; one without four finite coefficients is never the floor
    * \param[in] labels the plane of each point of the input cloud, or a number beyond; kept, not
-   * copied
+   * copied: to stay as they are until detect() returns
    */
   void
   setInputPlanes (const std::vector<ModelCoefficients>& model_coefficients,
@@ -162,8 +162,8 @@ public:
     return parameters_.points.min_height;
   }
 
-  /** \brief The depth of the shallowest drop-offs, metres, 0 or more (others: an error
-   * message), default 0.03. */
+  /** \brief The depth of the shallowest drop-offs, metres, 0 or more (others: an error message),
+   * default 0.03. Those within 8 standard deviations of height need a plane of their own. */
   void
   setMinDropDepth (float depth)
   {
@@ -230,26 +230,26 @@ public:
     excluded_ = indices;
   }
 
-  /** \brief Looks at the input.
-   * \param[out] obstacles by increasing distance
+  /** \brief Tells floor, obstacles and drop-offs, and makes the virtual scan.
+   * \param[out] obstacles by increasing distance; replaced
    * \param[out] classes the rgbd_planes::ObstacleClass of each point as its label,
    * organized as the input; what ObstacleFilter takes
    */
   void
   detect (std::vector<Obstacle>& obstacles, PointCloudL& classes);
 
-  /** \brief Looks at the input. */
+  /** \brief The same without classes, which getClasses() has. */
   void
   detect (std::vector<Obstacle>& obstacles);
 
-  /** \brief The class of each point in the last call of detect. */
+  /** \brief The class of each point in the last call of detect; empty after an error. */
   const std::vector<rgbd_planes::ObstacleClass>&
   getClasses () const
   {
     return extraction_.classes();
   }
 
-  /** \brief The virtual scan of the last call of detect. */
+  /** \brief The virtual scan of the last call of detect; without ranges after an error. */
   const VirtualScan&
   getScan () const
   {
@@ -263,7 +263,8 @@ public:
     return extraction_.floor().isFound();
   }
 
-  /** \brief a, b, c, d of the floor in the frame of the cloud; zeros where none was found. */
+  /** \brief a, b, c, d of the floor in the frame of the cloud, metres, with a unit normal towards
+   * the sensor; zeros where none was found. */
   const Eigen::Vector4f&
   getFloor () const
   {

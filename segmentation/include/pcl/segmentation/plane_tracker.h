@@ -36,7 +36,8 @@ namespace pcl {
  * joined, the one with the largest overlap does.
  *
  * Time is linear in the number of pixels (and in the product of the numbers of planes of two
- * frames). Memory is used again. Frames may change their size.
+ * frames). Memory is used again. Frames may change their size. A new tracker starts anew: assign
+ * one for another recording. Not in the paper.
  *
  * \ingroup segmentation
  */

@@ -61,23 +61,22 @@ struct SupportedObject {
  * extraction.extract (model_coefficients, inlier_indices, objects);
  * \endcode
  *
- * Horizontal planes in a range of heights support objects. Each model is optimised with
- * RANSAC; the hull of its points, and some way around it, is where objects are looked for, up
- * to their largest height. Up to three quarters of a thing may reach further: it hides the
- * plane where it stands at a corner, or sticks out. The points above, of other planes or none, are
- * clustered along the image. Heights are those above the points of the plane around, for cameras
- * bend planes. A point counts as being above only where depth noise does not explain it. What
- * continues further outside or higher up is no object (people, legs of a table), nor is what lies
- * on a plane much of which is elsewhere, or which goes on from one side of the image to the other
- * (the wall behind a table), or mostly ends at something nearer above it in the image, for how high
- * it is cannot be seen; nor what the image cuts above where the plane ends, as the foot
- * of a wall. What touches such a wall is an object if a quarter of its points stand out from it,
- * by five standard deviations of depth. A thing on a thing is one object with it, but for
- * setSplitAtConcaveEdges(); steps, pallets and low boards are no things, but support some: level
- * planes low above another one that are too large for the top of a thing, see
- * setMaxObjectHeight(). What is seen of a cup, a bowl, or a box without a lid on both sides of
- * its rim is one object, and small parts beside a thing, such as handles, are of it if they neither
- * stand on the plane nor rest on the thing.
+ * Horizontal planes in a range of heights support objects. Each model is optimised with RANSAC.
+ * Objects are looked for over the hull of its points and some way around it, up to their largest
+ * height. The points there, of other planes or none, are clustered along the image. Heights are
+ * those above the points of the plane around, for cameras bend planes; a point is above only where
+ * depth noise does not explain it. Up to three quarters of a thing may reach further outside: it
+ * hides the plane where it stands at a corner, or sticks out.
+ *
+ * No objects are: what continues further outside or higher up (people, legs of a table); what lies
+ * on a plane much of which is elsewhere, or which goes from one side of the image to the other (the
+ * wall behind a table); what mostly ends at something nearer above it in the image, for its height
+ * cannot be seen; and what the image cuts above where the plane ends, as the foot of a wall. What
+ * touches such a wall is an object if a quarter of its points stand out from it, by five standard
+ * deviations of depth. A thing on a thing is one object with it, but for setSplitAtConcaveEdges();
+ * steps, pallets and low boards are no things, but support some, see setMaxObjectHeight(). Both
+ * sides of the rim of a cup, a bowl, or a box without a lid are one object. Small parts beside a
+ * thing, such as handles, belong to it if they neither stand on the plane nor rest on the thing.
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the
@@ -86,12 +85,12 @@ struct SupportedObject {
  * points can be of objects. Output: objects in the order of their first points, parts of what
  * was split one after the other; replaced, not appended to.
  *
- * A null, empty or unorganized cloud, a plane without four coefficients or without inliers of
- * its own in the list, an index outside of the cloud, or setSplitAtConcaveEdges() without a
- * normal for each point: an error message and no objects. Planes of which none is a supporting
- * one, while setCameraToBase was not called, or setSplitAtConcaveEdges() with normals of which
- * none has a length of 1: a warning, once for frames in a row. What a setter cannot take: an
- * error message, and the value before stays.
+ * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, a plane without four
+ * coefficients or without a list of inliers, an index outside of the cloud, or
+ * setSplitAtConcaveEdges() without a normal for each point: an error message and no objects. No
+ * supporting one among the planes while setCameraToBase was not called, or setSplitAtConcaveEdges()
+ * with normals of which none has a length of 1: a warning, once for frames in a row. What a setter
+ * cannot take: an error message, and the value before stays. Several threads need an object each.
  *
  * \ingroup segmentation
  */
@@ -126,8 +125,8 @@ public:
     return normals_;
   }
 
-  /** \brief From the frame of the cloud to that of the robot: x forward, y left, z up, heights
-   * count from z = 0. Default: the camera looks forward along x, without tilt, and is
+  /** \brief The pose of the frame of the cloud in the base frame: x forward, y left, z up, metres;
+   * heights count from z = 0. Default: the camera looks forward along x, without tilt, and is
    * 2 cm to the left of the origin, at height 0 (section 3 of the paper). A transform that is not
    * rigid: an error message, and the one before stays. */
   void
@@ -405,7 +404,7 @@ private:
             const rgbd_planes::ObjectParameters& parameters,
             SupportedObject& object);
 
-  /** \brief Warns if supporting planes are lost (\a is_lost) and nobody said where the camera is. */
+  /** \brief Warns if no plane supports (\a is_lost) and nobody said where the camera is. */
   void
   warnOfPose (bool is_lost);
 
