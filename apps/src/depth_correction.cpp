@@ -30,7 +30,7 @@ addCorrectedOption (po::options_description& options)
       "tell the error of depth, or those of all frames, which are of one camera then; "
       "they are found on points as measured, and once more on those that these "
       "corrected. Or FILE.pcd does, the warp.pcd that pcl_segment_planes wrote for the "
-      "camera");
+      "camera. Not with --depth-noise");
 }
 
 std::optional<CorrectedOption>

@@ -29,18 +29,20 @@ const char usage[] =
 Compares detected objects and obstacles with true ones where the input is simulated, and
 objects where it is a .pcd file with labels of objects (field label, as in mOSD). All
 frames of all inputs count together; without --resolution, each of the three is tried.
-An object counts from 50 points on, so fewer do at smaller sizes, when it is 1 to 30 cm high,
-within 3.5 m, and is found when the points of one cluster and its own have an intersection over
-union of 0.5; it stands apart when no other is within 2 cm at full resolution, and is in pieces
-when two or more clusters have at least half of their points on it. False is a cluster with
-less than half of its points on any object. The file of --json also tells how many are found of
-the objects that count at full resolution, and how many boxes, of those that stand apart and
-were found, have sides within 1 cm or 10 % of the true ones, of all and of those that are seen:
-with measured points over both horizontal sides and up to the top. Obstacles count in frames
-that see the floor, from the larger of 1 cm and three standard deviations of depth on, and are
-found when half of their points are. False are floor points that are called an obstacle. The
-rate is that of all stages on one thread: normals, planes, objects, obstacles; to correct points
-is not one of them.
+
+Objects count if they have 50 points (so at smaller sizes fewer count), are 1 to 30 cm high, and
+are within 3.5 m. One is found when the points of one cluster and its own have an intersection
+over union of 0.5. It stands apart when no other is within 2 cm at full resolution, and is in
+pieces when two or more clusters have at least half of their points on it. False is a cluster
+with less than half of its points on any object. The file of --json also tells how many are found
+of the objects that count at full resolution, and how many of the boxes that stand apart and were
+found have sides within 1 cm or 10 % of the true ones: of all, and of those that are seen, with
+measured points over both horizontal sides and up to the top.
+
+Obstacles count in frames that see the floor, from the larger of 1 cm and three standard
+deviations of depth on, and are found when half of their points are. False are floor points that
+are called an obstacle. The rate is that of all stages on one thread: normals, planes, objects,
+obstacles, without the correction of points.
 
   pcl_evaluate_detection sim:table_cluttered sim:floor_obstacles --json detection.json
   pcl_evaluate_detection folder_of_pcds --resolution qvga

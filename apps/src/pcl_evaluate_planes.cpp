@@ -21,26 +21,28 @@ const char usage[] =
     R"(pcl_evaluate_planes INPUT... [options]
 
 Compares our planes and those of PCL's OrganizedMultiPlaneSegmentation, with its defaults
-and tuned (6 degrees, 5 cm, curvature 0.01), with true ones where the input is simulated, or a .pcd file with plane labels (field intensity, as in
-SynPEB: whole numbers, and points that share one lie on a plane, which brightness does
-not), after Hoover et al. (1996) at 80 % overlap. All frames of all inputs count
-together; without --resolution, each of the three is tried. Times are of one thread,
-include the normals, and are the fastest of three runs of a frame; worst is the slowest
-frame. Labelled points further than 5 mm + 4 mm z^2 from their plane are off.
+and tuned (6 degrees, 5 cm, curvature 0.01), with true ones after Hoover et al. (1996) at
+80 % overlap. There are true ones where the input is simulated, or a .pcd file with plane
+labels as in SynPEB (field intensity: whole numbers, each that of the points of one plane).
+All frames of all inputs count together; without --resolution, each of the three is tried.
+Times are of one thread, include the normals, and are the fastest of three runs of a frame;
+worst is the slowest frame. Labelled points further than 5 mm + 4 mm z^2 from their plane
+are off.
 
 Of .pcd files with objects (field label, as in mOSD) a second table tells how well the
 table is found: IoU of its points and the best plane, mean and worst frame; purity: points
 that belong to what most points of their plane belong to, the table or one object. Of
 simulated frames it tells the share of the points on curved surfaces, such as cylinders and
-cups, that carry the label of a plane, and of one that has most of its points on such
-surfaces (shattered).
+cups, that carry the label of a plane (curved), and the label of a plane that has most of
+its points on such surfaces (shattered).
 
 Of simulated frames a third table tells what the correction of depth by ProjectOntoPlanes
-gains: rms distance to the true planes of all their points at 3.5 to 6 m, away from edges,
-before, moved along their rays, along the normals, and along their rays onto planes that
-least squares fits to the true labels (fit). Walls are vertical true planes of 2 % of the
-pixels and more, in pairs at 30 degrees and more: how far the angle between the planes with
-at least half of their points is from the true one (inf: not found), and that of the fits.
+gains: the rms distance to the true planes of all their points at 3.5 to 6 m, away from
+edges: as measured, moved along their rays, along the normals, and along their rays onto
+planes that least squares fits to the true labels (fit). It also tells how far angles
+between walls, vertical true planes of 2 % of the pixels and more in pairs at 30 degrees and
+more, are from the true ones: angles between the planes with at least half of their points
+(inf: not found), and those of the fits.
 
 With --corrected there is another row: ours on corrected points.
 

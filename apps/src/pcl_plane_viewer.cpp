@@ -76,7 +76,7 @@ describeOptions ()
       text ("frame|FILE"),
       "take points that DepthWarpCorrection corrects. The planes of each frame tell "
       "the error of depth, or FILE.pcd does, the warp.pcd that pcl_segment_planes "
-      "wrote for this camera; the key w switches") (
+      "wrote for this camera; the key w switches. Not with --depth-noise") (
       "base-transform", text ("x,y,z,roll,pitch,yaw"), base_transform_help);
   addDepthNoiseOption (options);
   return options.add (inputOptionsDescription());
