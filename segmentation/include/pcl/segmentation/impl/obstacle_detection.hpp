@@ -70,8 +70,10 @@ bool
 ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
 {
   std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
-  if (fault.empty())
+  if (fault.empty()) {
     fault = rgbd_planes::faultOfIndices (excluded_.get(), input_->size());
+    fault.insert (0, fault.empty() ? "" : "setExcludedIndices: ");
+  }
   if (fault.empty() && !(rgbd_planes::areOfPoints (normals_.get(), *input_) &&
                          rgbd_planes::areOfPoints (labels_.get(), *input_)))
     fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
