@@ -131,10 +131,12 @@ TEST (PlaneTracker, PlanesHiddenByTwoOthersAreRecognized)
   pcl::PlaneTracker tracker;
   const auto front = plane (0.6f, 0.f, -0.8f, 0.6f),
              side = plane (-1.f, 0.f, 0.f, 0.5f);
-  EXPECT_EQ (track (tracker, row ({wall, front, side}, "aa.bbcc")), (Ids{0, 1, 2}));
-  EXPECT_EQ (track (tracker, row ({front, side}, "aabb...")), (Ids{1, 2}));
-  EXPECT_EQ (track (tracker, row ({side}, "aa.....")), (Ids{2}));
-  EXPECT_EQ (track (tracker, row ({wall}, "aa.....")), (Ids{0}));
+  EXPECT_EQ (track (tracker, row ({wall, front, side}, "aaaabbbbbbcccccc")),
+             (Ids{0, 1, 2}));
+  EXPECT_EQ (track (tracker, row ({front, side}, "aaaaaabbbbbb....")), (Ids{1, 2}));
+  EXPECT_EQ (track (tracker, row ({front, side}, "aabbbbbbbb......")), (Ids{1, 2}));
+  EXPECT_EQ (track (tracker, row ({side}, "aaaaaaaa........")), (Ids{2}));
+  EXPECT_EQ (track (tracker, row ({wall, side}, "aaaabbbb........")), (Ids{0, 2}));
 }
 
 TEST (PlaneTracker, WhereAPlaneIsSeenNoMoreOthersAreNotTakenForIt)
