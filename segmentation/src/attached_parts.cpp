@@ -4,6 +4,7 @@
 #include <pcl/segmentation/attached_parts.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -11,7 +12,7 @@ namespace rgbd_planes {
 namespace {
 
 /** Parts have so many times fewer points than the thing... */
-constexpr std::size_t min_ratio = 12;
+constexpr std::size_t min_ratio = 10;
 /** ... in so many places of them no farther than this from it, in metres. */
 constexpr std::size_t min_contacts = 3;
 constexpr float max_distance = 0.015f;
@@ -25,6 +26,8 @@ constexpr double low_share = 0.9;
 /** What rests on a thing is not too flat for an object, and has its contacts lower, in parts of
  * its own height. */
 constexpr float min_contact = 0.3f;
+/** What is steeper, nothing rests on; cosine of the slope. */
+constexpr float min_rest = 0.5f;
 constexpr float sigmas = 3.f;
 
 /** The value that \a number others are below, or the largest. */
@@ -48,6 +51,7 @@ isNear (const float* p, const float* q)
 
 void
 AttachedParts::find (const OrganizedPoints& points,
+                     const OrganizedNormals& normals,
                      const OcclusionSteps& occlusions,
                      const SupportPlanes& supports,
                      const ObjectParameters& parameters,
@@ -55,6 +59,7 @@ AttachedParts::find (const OrganizedPoints& points,
                      DisjointSets& sets)
 {
   points_ = points;
+  normals_ = normals;
   occlusions_ = &occlusions;
   sizes_.resize (clusters.size());
   std::transform (clusters.begin(),
@@ -104,9 +109,21 @@ AttachedParts::findContacts (const ObjectCluster& cluster, const SupportPlane& s
         const auto next = occlusions_->nextCluster (i, step, pixels);
         if (!next || !isNear (points_[i], points_[next->point]))
           continue;
-        contacts_.push_back ({next->cluster, support.plane.distance (points_[i])});
+        Contact contact{next->cluster, support.plane.distance (points_[i])};
+        if (normals_.normal)
+          contact.slope = support.plane.normal.dot (
+              Eigen::Map<const Eigen::Vector3f> (normals_[next->point]));
+        contacts_.push_back (contact);
         break;
       }
+}
+
+/** Whether the other one is, where the cluster meets it. */
+bool
+AttachedParts::isSteep()
+{
+  return !contact_slopes_.empty() &&
+         valueAbove (contact_slopes_, contact_slopes_.size() / 2) < min_rest;
 }
 
 /** Whether the cluster neither stands on its plane nor rests on the other one. */
@@ -124,9 +141,13 @@ AttachedParts::isPart (const ObjectCluster& cluster,
       squared_range = std::max (squared_range, squaredRange (points_[i]));
     }
   contact_heights_.clear();
+  contact_slopes_.clear();
   for (const Contact& contact : contacts_)
-    if (contact.other == other)
+    if (contact.other == other) {
       contact_heights_.push_back (contact.height);
+      if (std::isfinite (contact.slope))
+        contact_slopes_.push_back (contact.slope);
+    }
   const float low = valueAbove (heights_, min_low_points - 1);
   const float high = valueAbove (
       heights_,
@@ -135,8 +156,10 @@ AttachedParts::isPart (const ObjectCluster& cluster,
                                 sigmas * parameters.noise.sigma (squared_range));
   const bool stands_on_plane = low < stands * least && high > foot * least;
   const bool rests_on_other =
-      high - low > least && valueAbove (contact_heights_, contact_heights_.size() / 2) <
-                                low + min_contact * (high - low);
+      high - low > least &&
+      valueAbove (contact_heights_, contact_heights_.size() / 2) <
+          low + min_contact * (high - low) &&
+      !isSteep();
   return !stands_on_plane && !rests_on_other;
 }
 

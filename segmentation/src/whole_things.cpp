@@ -10,6 +10,7 @@ namespace rgbd_planes {
 
 void
 WholeThings::compute (const OrganizedPoints& points,
+                      const OrganizedNormals& normals,
                       const ObjectClusters& clustering,
                       const SupportPlanes& supports,
                       const ObjectParameters& parameters,
@@ -19,7 +20,8 @@ WholeThings::compute (const OrganizedPoints& points,
   occlusions_.compute (points, clustering, clusters);
   hollow_things_.find (
       points, clustering.pixelAngle(), occlusions_, supports.planes(), clusters, sets_);
-  attached_parts_.find (points, occlusions_, supports, parameters, clusters, sets_);
+  attached_parts_.find (
+      points, normals, occlusions_, supports, parameters, clusters, sets_);
   collect (clusters);
 }
 

@@ -83,6 +83,16 @@ TEST (AttachedParts, AHandleIsNotSplitOff)
   expectWhole (look ({floor_slab, table, thing, handle}, camera), true);
 }
 
+TEST (AttachedParts, WhatIsOnASteepFaceIsNotSplitOff)
+{
+  // Part of it is higher than the thing, but it stands out in front of it.
+  const Box cap{{1.03f, 0.f, table_height + 0.2f}, {0.04f, 0.05f, 0.06f}};
+  Camera camera;
+  camera.width = 640;
+  camera.image_height = 480;
+  expectWhole (look ({floor_slab, table, thing, cap}, camera), true);
+}
+
 TEST (AttachedParts, AFootHardlyHigherThanNoiseIsPartOfItsThing)
 {
   expectWhole (lookAt (beside (0.05f, 0.f, 0.025f)));

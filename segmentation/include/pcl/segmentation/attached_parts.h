@@ -17,16 +17,19 @@ namespace rgbd_planes {
  * what edges without depth cut off, and the foot that a sensor smears where a thing stands.
  *
  * Things of their own stand on their plane or rest on another thing. Such parts do neither: they
- * hang beside the larger cluster, or are hardly higher than noise and end below it.
+ * hang beside the larger cluster, are on a slope of it too steep to rest on, such as caps of
+ * bottles, or are hardly higher than noise and end below it.
  */
 class PCL_RGBD_PLANES_EXPORTS AttachedParts {
 public:
-  /** \param[in] occlusions of the same clusters
+  /** \param[in] normals one for each point, or none
+   * \param[in] occlusions of the same clusters
    * \param[in] supports the planes that the clusters refer to
    * \param[in,out] sets parts join the set of the larger cluster
    */
   void
   find (const OrganizedPoints& points,
+        const OrganizedNormals& normals,
         const OcclusionSteps& occlusions,
         const SupportPlanes& supports,
         const ObjectParameters& parameters,
@@ -38,6 +41,7 @@ private:
   struct Contact {
     std::size_t other = 0;
     float height = 0.f;
+    float slope = 1.f; // the cosine of that of the other one's surface, or NaN
   };
 
   void
@@ -49,12 +53,16 @@ private:
           std::size_t other,
           const ObjectParameters& parameters);
 
+  bool
+  isSteep ();
+
   OrganizedPoints points_;
+  OrganizedNormals normals_;
   const OcclusionSteps* occlusions_ = nullptr;
   std::vector<Contact> contacts_;
   std::vector<std::size_t> sizes_;         // of clusters, in points
   std::vector<std::size_t> contacts_with_; // each of the clusters
-  std::vector<float> heights_, contact_heights_;
+  std::vector<float> heights_, contact_heights_, contact_slopes_;
 };
 
 } // namespace rgbd_planes

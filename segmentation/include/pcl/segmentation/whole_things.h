@@ -15,11 +15,13 @@ namespace rgbd_planes {
 /** \brief Joins clusters that are pieces of one thing: see HollowThings and AttachedParts. */
 class PCL_RGBD_PLANES_EXPORTS WholeThings {
 public:
-  /** \param[in] clustering of the same points
+  /** \param[in] normals one for each point, or none
+   * \param[in] clustering of the same points
    * \param[in] supports the planes that the clusters refer to
    */
   void
   compute (const OrganizedPoints& points,
+           const OrganizedNormals& normals,
            const ObjectClusters& clustering,
            const SupportPlanes& supports,
            const ObjectParameters& parameters,

@@ -162,15 +162,19 @@ SupportedObjectExtraction<PointT, PointNT>::findClusters (
   const Eigen::Translation3f sensor (input_->sensor_origin_.template head<3>());
   supports_.compute (points, planes_, camera_to_base_ * sensor, parameters);
   clustering_.compute (points, selected_, supports_, parameters);
-  if (parameters_.split_at_concave_edges)
+  rgbd_planes::OrganizedNormals normals;
+  if (parameters_.split_at_concave_edges) {
+    normals = rgbd_planes::viewNormals (*normals_);
     split_.compute (points,
-                    rgbd_planes::viewNormals (*normals_),
+                    normals,
                     clustering_.pixelAngle(),
                     planes_,
                     supports_.planes(),
                     parameters,
                     clustering_.clusters());
+  }
   whole_things_.compute (points,
+                         normals,
                          clustering_,
                          supports_,
                          parameters,
