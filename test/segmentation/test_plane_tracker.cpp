@@ -3,6 +3,7 @@
 
 #include "count_allocations.h"
 #include "synthetic_clouds.h"
+#include "tracked_rows.h"
 
 #include <pcl/segmentation/plane_tracker.h>
 
@@ -12,53 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace {
-
-constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
-
-struct Image {
-  std::vector<pcl::ModelCoefficients> models;
-  pcl::PointCloud<pcl::Label> labels;
-};
-
-pcl::ModelCoefficients
-plane (float a, float b, float c, float d)
-{
-  pcl::ModelCoefficients model;
-  model.values = {a, b, c, d};
-  return model;
-}
-
-const auto wall = plane (0.f, 0.f, -1.f, 2.f);
-const auto ground = plane (0.f, -1.f, 0.f, 1.f);
-
-/** One row of pixels: a letter for each, 'a' for the first plane, '.' for none. */
-Image
-row (const std::vector<pcl::ModelCoefficients>& models, const std::string& pixels)
-{
-  Image image{models, {}};
-  image.labels.resize (static_cast<std::uint32_t> (pixels.size()), 1);
-  std::transform (
-      pixels.begin(), pixels.end(), image.labels.begin(), [] (const char letter) {
-        pcl::Label label;
-        label.label =
-            letter == '.' ? unlabelled : static_cast<std::uint32_t> (letter - 'a');
-        return label;
-      });
-  return image;
-}
-
-std::vector<std::uint32_t>
-track (pcl::PlaneTracker& tracker, const Image& image)
-{
-  std::vector<std::uint32_t> ids;
-  tracker.track (image.models, image.labels, ids);
-  return ids;
-}
-
-using Ids = std::vector<std::uint32_t>;
-
-} // namespace
+using namespace tracked_rows;
 
 TEST (PlaneTracker, PlanesKeepTheirIdentityWhateverTheirOrder)
 {
@@ -169,6 +124,36 @@ TEST (PlaneTracker, WhereAPlaneWasForgottenNoOtherOneIsKnown)
     track (tracker, row ({}, "...."));
   EXPECT_EQ (track (tracker, row ({wall}, "..aa")), (Ids{1}));
   EXPECT_EQ (track (tracker, row ({wall}, "aa..")), (Ids{2}));
+}
+
+TEST (PlaneTracker, PlanesMayMoveFarFrameByFrame)
+{
+  pcl::PlaneTracker tracker;
+  for (const float distance : {2.f, 2.6f, 3.2f, 3.8f})
+    EXPECT_EQ (track (tracker, row ({plane (0.f, 0.f, -1.f, distance)}, "aaaa")),
+               (Ids{0}))
+        << distance;
+}
+
+TEST (PlaneTracker, WhatAPlaneLeftCountsOnlyWhileItIsNotFound)
+{
+  pcl::PlaneTracker tracker;
+  const auto behind = plane (0.f, 0.f, -1.f, 2.9f);
+  const auto between = plane (0.f, 0.f, -1.f, 2.6f); // nearer to the one behind
+  EXPECT_EQ (track (tracker, row ({behind, wall}, "aaaaaaab")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({behind, wall}, "abbbbbbb")), (Ids{0, 1}));
+  EXPECT_EQ (track (tracker, row ({between}, "aaaaaaaa")), (Ids{1}));
+}
+
+TEST (PlaneTracker, WhatAForgottenPlaneLeftIsOfNoOtherOne)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaa....")), (Ids{0}));
+  for (int i = 0; i < 17; ++i)
+    EXPECT_EQ (track (tracker, row ({ground}, "aaaa....")), (Ids{1}));
+  EXPECT_EQ (track (tracker, row ({ground, wall}, "aaaabbbb")), (Ids{1, 2}));
+  EXPECT_EQ (track (tracker, row ({ground}, "aaaa....")), (Ids{1}));
+  EXPECT_EQ (track (tracker, row ({wall}, "aaaa....")), (Ids{3}));
 }
 
 TEST (PlaneTracker, IdentitiesAreNeverUsedAgain)
