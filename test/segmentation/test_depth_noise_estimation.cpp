@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "synthetic_clouds.h"
+#include "noisy_clouds.h"
 
 #include <pcl/common/transforms.h>
 #include <pcl/segmentation/depth_noise_estimation.h>
@@ -14,29 +14,11 @@
 #include <random>
 #include <vector>
 
+using namespace noisy_clouds;
 using namespace synthetic;
 using pcl::DepthNoiseEstimation;
-using pcl::rgbd_planes::DepthNoise;
 
 namespace {
-
-/** What a camera sees whose ranges have Gaussian noise. */
-Cloud
-renderNoisy (const std::vector<Surface>& surfaces,
-             const DepthNoise& noise,
-             int width = 640,
-             int height = 480)
-{
-  Cloud cloud = *render (surfaces, width, height).cloud;
-  std::mt19937 generator (1);
-  std::normal_distribution<float> gauss;
-  for (auto& point : cloud) {
-    const float squares = point.getVector3fMap().squaredNorm();
-    point.getVector3fMap() *=
-        1.f + gauss (generator) * noise.sigma (squares) / std::sqrt (squares);
-  }
-  return cloud;
-}
 
 /** Walls from 0.5 to 5 m, of which the lower half of the image sees one, turned by 40 degrees;
  * a tenth of the blocks see steps. */
@@ -49,14 +31,6 @@ addWalls (const DepthNoise& noise, unsigned step, DepthNoiseEstimation& estimati
     const Cloud cloud = renderNoisy ({tiltedPlane (depth, 5.f, 10.f), near}, noise);
     EXPECT_TRUE (estimation.addFrame (*subsample (cloud, step)));
   }
-}
-
-DepthNoise
-estimate (const DepthNoiseEstimation& estimation)
-{
-  DepthNoise noise;
-  EXPECT_TRUE (estimation.estimate (noise));
-  return noise;
 }
 
 Cloud
