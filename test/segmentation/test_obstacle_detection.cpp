@@ -75,6 +75,26 @@ TEST (ObstacleDetection, WhatDoesNotStickOutButIsTurnedIsAnObstacle)
   }
 }
 
+/** As windows have that reach over the border of a thing. */
+TEST (ObstacleDetection, TurnedNormalsOfTheFloorBesideAThingAreNoObstacle)
+{
+  const auto board = box ({1.2f, -0.3f, 0.15f}, {1.205f, 0.3f, 0.4f});
+  FloorScene scene (only_floor + board, pose);
+  const Eigen::Vector3f front (scene.planes[box_front].values.data());
+  std::size_t turned = 0;
+  for (std::uint32_t v = 0; v < scene.labels->height; ++v)
+    for (std::uint32_t u = 0; u + 1 < scene.labels->width; ++u)
+      if ((*scene.labels) (u, v).label == 0 &&
+          (*scene.labels) (u + 1, v).label == box_front) {
+        (*scene.normals) (u, v).getNormalVector3fMap() = front;
+        ++turned;
+      }
+  ASSERT_GT (turned, 10u);
+  const Result result = detect (scene);
+  EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
+  EXPECT_EQ (share (scene, result, box_front, box_front, ObstacleClass::obstacle), 1.);
+}
+
 TEST (ObstacleDetection, ARampIsAnObstacleFromItsToeOn)
 {
   // 8 degrees, from x = 1 m on.
