@@ -225,3 +225,41 @@ TEST (FloorPlane, TheFloorIsFoundInImagesOfFewRows)
   EXPECT_TRUE (detection.isFloorFound());
   EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::floor), 1.);
 }
+
+TEST (FloorPlane, APlaneInWhichTheCameraIsIsNoFloor)
+{
+  for (const float height : {0.005f, 0.05f}) {
+    const FloorScene scene (only_floor, cameraPose (height, 0.45f));
+    Detection detection;
+    setInput (detection, scene);
+    Result result;
+    detection.detect (result.obstacles, result.classes);
+    EXPECT_EQ (detection.isFloorFound(), height > 0.01f) << height;
+  }
+}
+
+/** A ramp whose plane grew too far: noise alone is higher than the floor there. */
+TEST (FloorPlane, FloorInThePlaneOfARampIsFloor)
+{
+  const Patch ramp{Eigen::Vector3f (-0.139f, 0.f, 0.99f).normalized(),
+                   {1.2f, 0.f, 0.f},
+                   [] (const Eigen::Vector3f& p) {
+                     return p.z() >= 0.f && p.x() < 1.8f && std::abs (p.y()) < 0.4f;
+                   }};
+  FloorScene scene ({floorAt (0.f), ramp}, pose, 320, kinectSigma);
+  std::vector<std::size_t> grown;
+  for (std::size_t i = 0; i < scene.labels->size(); ++i) {
+    const Eigen::Vector3f p = scene.inBase (i);
+    if ((*scene.labels)[i].label == 0 && p.x() > 1.05f && p.x() < 1.17f &&
+        std::abs (p.y()) < 0.4f) {
+      (*scene.labels)[i].label = 1;
+      grown.push_back (i);
+    }
+  }
+  ASSERT_GT (grown.size(), 1000u);
+  const Result result = detect (scene);
+  const auto floor = std::count_if (grown.begin(), grown.end(), [&] (std::size_t i) {
+    return result[i] == ObstacleClass::floor;
+  });
+  EXPECT_GT (static_cast<double> (floor), 0.95 * static_cast<double> (grown.size()));
+}
