@@ -3,6 +3,8 @@
 
 #include "obstacle_scenes.h"
 
+#include <pcl/common/angles.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -135,4 +137,43 @@ TEST (ScanLimits, AScanInStepsOfMoreThanATurnHasOneDirection)
   detection.detect (obstacles);
   EXPECT_EQ (detection.getScan().ranges.size(), 1u);
   EXPECT_EQ (detection.getScan().angle_max, limits.angle_min);
+}
+
+TEST (ScanLimits, TheLastAngleIsADirectionHoweverTheStepIsRounded)
+{
+  const FloorScene scene (only_floor, pose);
+  Detection detection;
+  setInput (detection, scene);
+  std::vector<Obstacle> obstacles;
+  for (const int degrees : {90, 150, 180, 240})
+    for (const int step : {1, 2, 3, 5}) {
+      pcl::rgbd_planes::ScanLimits limits;
+      limits.angle_max = pcl::deg2rad (0.5f * static_cast<float> (degrees));
+      limits.angle_min = -limits.angle_max;
+      limits.angle_increment = pcl::deg2rad (static_cast<float> (step));
+      detection.setScanLimits (limits);
+      detection.detect (obstacles);
+      EXPECT_EQ (detection.getScan().ranges.size(),
+                 static_cast<std::size_t> (degrees / step + 1))
+          << degrees << ' ' << step;
+    }
+}
+
+TEST (ScanLimits, AnotherFirstAngleTurnsAllDirections)
+{
+  const FloorScene scene (only_floor + a_box, pose, 320);
+  Detection used;
+  setInput (used, scene);
+  pcl::rgbd_planes::ScanLimits limits;
+  std::vector<Obstacle> obstacles;
+  for (const float first : {-1.5f, -1.5f + 0.25f * limits.angle_increment, -0.7f}) {
+    Detection fresh;
+    setInput (fresh, scene);
+    limits.angle_min = first;
+    for (Detection* detection : {&used, &fresh}) {
+      detection->setScanLimits (limits);
+      detection->detect (obstacles);
+    }
+    EXPECT_EQ (used.getScan().ranges, fresh.getScan().ranges) << first;
+  }
 }
