@@ -54,3 +54,20 @@ TEST (ObjectBases, AcrossTwoPlanesOfOneTable)
   ASSERT_EQ (objects.size(), 1u);
   EXPECT_GT (iou (objects.front(), view, 2), 0.85);
 }
+
+TEST (ObjectBases, OverALowerTable)
+{
+  // The thing stands on the higher table, and 4 cm of it are over the lower one.
+  for (const float side : {1.f, -1.f})
+    for (const float step : {0.02f, 0.1f}) {
+      const Box low{{1.2f, side * 0.3f, 0.66f}, {0.8f, 0.6f, 0.04f}};
+      const Box high{{1.2f, side * -0.3f, 0.66f}, {0.8f, 0.6f, 0.04f + step}};
+      Box thing = onTable (1.1f, side * -0.01f, {0.1f, 0.1f, 0.2f});
+      thing.bottom_center.z() += step;
+      const View view = look ({floor_slab, low, high, thing});
+      const Objects objects = extract (view);
+      ASSERT_EQ (objects.size(), 1u) << side << " " << step;
+      EXPECT_EQ (objects.front().support, view.top.at (2)) << side << " " << step;
+      EXPECT_NEAR (objects.front().box_size.z(), 0.2f, 0.01f) << side << " " << step;
+    }
+}
