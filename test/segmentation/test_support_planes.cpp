@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 using namespace table_objects;
 
@@ -20,6 +22,16 @@ TEST (SupportPlanes, HeightsOfPlanes)
   EXPECT_TRUE (extract (extraction, view).empty());
   extraction.setPlaneHeights (0.1, 0.68);
   EXPECT_TRUE (extract (extraction, view).empty());
+}
+
+TEST (SupportPlanes, HeightsAreAsUncertainAsDepth)
+{
+  const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  Extraction extraction;
+  extraction.setPlaneHeights (0.1, table_height - 0.005);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  extraction.setPlaneHeights (table_height + 0.005, 1.2);
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
 }
 
 TEST (SupportPlanes, HorizontalTolerance)
@@ -215,4 +227,22 @@ TEST (SupportPlanes, OptimisesAModelThatOutliersSpoilt)
       });
   ASSERT_NE (table_top, supports.end());
   EXPECT_NEAR (table_top->plane.d, true_d, 0.001f);
+}
+
+TEST (SupportPlanes, ThingsCutByAMarginBelowTheImageAreTruncated)
+{
+  const Box near_table{{0.9f, 0.f, 0.66f}, {1.2f, 1.f, 0.04f}};
+  const auto isTruncated = [&] (float x) {
+    const View view =
+        look ({floor_slab, near_table, onTable (x, 0.f, {0.1f, 0.1f, 0.1f})});
+    for (std::uint32_t v = 233; v < 240; ++v)
+      for (std::uint32_t u = 0; u < 320; ++u)
+        view.cloud->at (u, v).getVector3fMap().setConstant (
+            std::numeric_limits<float>::quiet_NaN());
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 1u) << x;
+    return objects.front().truncated;
+  };
+  EXPECT_TRUE (isTruncated (0.42f));
+  EXPECT_FALSE (isTruncated (0.6f));
 }
