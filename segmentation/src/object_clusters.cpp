@@ -37,7 +37,7 @@ ObjectClusters::compute (const OrganizedPoints& points,
   set_of_run_.clear();
   sums_.clear();
   if (!supports.planes().empty()) {
-    markBackground (selected);
+    markBackground();
     pixel_angle_ = meanPixelAngle (points);
     findRuns (selected);
     sumUp();
@@ -46,14 +46,12 @@ ObjectClusters::compute (const OrganizedPoints& points,
 }
 
 void
-ObjectClusters::markBackground (const std::vector<std::uint8_t>& selected)
+ObjectClusters::markBackground()
 {
   is_background_.assign (points_.size(), 0);
   for (const auto& plane : supports_->background())
-    for (const auto index : *plane.inliers) {
-      const auto i = static_cast<std::size_t> (index);
-      is_background_[i] = selected.empty() || selected[i];
-    }
+    for (const auto index : *plane.inliers)
+      is_background_[static_cast<std::size_t> (index)] = 1;
 }
 
 LinkLimit

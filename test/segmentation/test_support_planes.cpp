@@ -246,3 +246,18 @@ TEST (SupportPlanes, ThingsCutByAMarginBelowTheImageAreTruncated)
   EXPECT_TRUE (isTruncated (0.42f));
   EXPECT_FALSE (isTruncated (0.6f));
 }
+
+TEST (SupportPlanes, ThingsAtAWallThatIndicesLeaveOutAreObjects)
+{
+  const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
+  const View view =
+      look ({floor_slab, table, wall, onTable (1.55f, 0.f, {0.1f, 0.1f, 0.15f})});
+  const auto without_wall = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < view.box.size(); ++i)
+    if (view.box[i] != 2)
+      without_wall->push_back (static_cast<pcl::index_t> (i));
+  Extraction extraction;
+  EXPECT_GT (bestIou (extract (extraction, view), view, 3), 0.8);
+  extraction.setIndices (without_wall);
+  EXPECT_GT (bestIou (extract (extraction, view), view, 3), 0.8);
+}

@@ -117,7 +117,7 @@ private:
   };
 
   void
-  markBackground (const std::vector<std::uint8_t>& selected);
+  markBackground();
 
   LinkLimit
   linkLimit () const;
