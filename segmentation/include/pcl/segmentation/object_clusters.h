@@ -117,7 +117,7 @@ private:
   };
 
   void
-  markBackground();
+  markBackground ();
 
   LinkLimit
   linkLimit () const;
