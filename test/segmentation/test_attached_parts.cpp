@@ -108,9 +108,20 @@ TEST (AttachedParts, WhatRestsOnAThingIsAnother)
   expectTwo (lookAt ({{1.08f, 0.f, table_height + 0.22f}, {0.06f, 0.06f, 0.04f}}));
 }
 
+TEST (AttachedParts, WhatIsTooFlatToRestOnAThingIsPartOfIt)
+{
+  View view = lookAt ({{1.08f, 0.f, table_height + 0.22f}, {0.06f, 0.06f, 0.006f}});
+  const auto top = static_cast<std::ptrdiff_t> (view.top.at (2)); // as if not found
+  view.models.erase (view.models.begin() + top);
+  view.inliers.erase (view.inliers.begin() + top);
+  expectWhole (view);
+}
+
 TEST (AttachedParts, WhatIsTooFarFromAThingIsAnother)
 {
   expectTwo (lookAt (beside (0.03f, 0.08f, 0.08f, 0.03f)));
+  expectTwo (
+      lookAt ({{1.09f, side + 0.015f, table_height + 0.08f}, {0.04f, 0.03f, 0.08f}}));
 }
 
 TEST (AttachedParts, LargePartsAreThingsOfTheirOwn)
