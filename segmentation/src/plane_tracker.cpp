@@ -13,25 +13,32 @@ namespace {
 
 /** From frame to frame; radians and metres. */
 constexpr float max_turn = 0.5f, max_shift = 1.f;
-constexpr float usual_turn = 0.1f, usual_shift = 0.03f;
+/** Pixels count half where the distance has changed by this, or by so many times what it has
+ * changed by for the quarter of them that changed least: they tell whether the camera moves. */
+constexpr float half_shift = 0.03f, half_ratio = 40.f;
+constexpr float part_of_least = 0.25f;
 /** Frames for which an unseen plane is remembered. */
 constexpr unsigned max_missed = 15;
 
-/** 1 for no change, half of that for a usual one, 0 from the largest one on. */
 float
-similarity (float change, float usual, float largest)
+turnOf (const Eigen::Vector4f& a, const Eigen::Vector4f& b)
 {
-  const float ratio = change / usual;
-  return std::max (0.f, 1.f - change / largest) / (1.f + ratio * ratio);
+  return 2.f * std::asin (std::min (1.f, 0.5f * (a - b).head<3>().norm()));
 }
 
 float
-similarity (const Eigen::Vector4f& a, const Eigen::Vector4f& b)
+shiftOf (const Eigen::Vector4f& a, const Eigen::Vector4f& b)
 {
-  const float turn = 2.f * std::asin (std::min (1.f, 0.5f * (a - b).head<3>().norm()));
-  const float shift = std::fabs (a.w() - b.w());
-  return similarity (turn, usual_turn, max_turn) *
-         similarity (shift, usual_shift, max_shift);
+  return std::fabs (a.w() - b.w());
+}
+
+/** 1 for the same plane, 0 from the largest turn or shift on. */
+float
+similarity (float turn, float shift, float half)
+{
+  const float ratio = shift / half;
+  return std::max (0.f, 1.f - turn / max_turn) *
+         std::max (0.f, 1.f - shift / max_shift) / (1.f + ratio * ratio);
 }
 
 } // namespace
@@ -122,6 +129,22 @@ PlaneTracker::countOverlaps (const PointCloud<Label>& labels)
   }
 }
 
+float
+PlaneTracker::leastShift()
+{
+  std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
+    return a.shift < b.shift;
+  });
+  float pixels = 0.f;
+  for (const Match& match : matches_)
+    pixels += match.score;
+  float rest = part_of_least * pixels;
+  for (const Match& match : matches_)
+    if ((rest -= match.score) <= 0.f)
+      return match.shift;
+  return 0.f;
+}
+
 void
 PlaneTracker::match()
 {
@@ -130,11 +153,15 @@ PlaneTracker::match()
   for (std::uint32_t t = 0; t < tracks_.size(); ++t)
     for (std::uint32_t p = 0; p < planes; ++p)
       if (const auto pixels = overlaps_[t * planes + p]) {
-        const float score =
-            static_cast<float> (pixels) * similarity (tracks_[t].plane, planes_[p]);
-        if (score > 0.f)
-          matches_.push_back ({score, t, p});
+        Match match{static_cast<float> (pixels), t, p};
+        match.turn = turnOf (tracks_[t].plane, planes_[p]);
+        match.shift = shiftOf (tracks_[t].plane, planes_[p]);
+        if (match.turn < max_turn && match.shift < max_shift)
+          matches_.push_back (match);
       }
+  const float half = std::max (half_shift, half_ratio * leastShift());
+  for (Match& match : matches_)
+    match.score *= similarity (match.turn, match.shift, half);
   std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
     return a.score != b.score   ? a.score > b.score
            : a.track != b.track ? a.track < b.track

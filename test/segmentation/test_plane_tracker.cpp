@@ -51,9 +51,23 @@ TEST (PlaneTracker, TheMoreAPlaneHasChangedTheLessItsPixelsCount)
   for (const float gap : {0.1f, 0.3f, 0.8f}) {
     pcl::PlaneTracker tracker;
     const auto board = plane (0.f, 0.f, -1.f, 2.f - gap);
-    EXPECT_EQ (track (tracker, row ({board, wall}, "aaaaaaab")), (Ids{0, 1}));
+    EXPECT_EQ (track (tracker, row ({board, wall}, "aaaaabbb")), (Ids{0, 1}));
     EXPECT_EQ (track (tracker, row ({wall}, "aaaaaaaa")), (Ids{1}))
         << "what was behind a board that is gone";
+  }
+}
+
+TEST (PlaneTracker, DistancesCountLessWhileTheCameraMoves)
+{
+  const auto wallAt = [] (float distance) { return plane (0.f, 0.f, -1.f, distance); };
+  for (const float moved : {0.f, 0.05f}) {
+    pcl::PlaneTracker tracker;
+    const auto ground_then = plane (0.f, -1.f, 0.f, 1.f + moved);
+    EXPECT_EQ (
+        track (tracker, row ({wallAt (2.f), wallAt (2.06f), ground}, "aaaaabbbcccc")),
+        (Ids{0, 1, 2}));
+    EXPECT_EQ (track (tracker, row ({wallAt (2.07f), ground_then}, "aaaaaaaabbbb")),
+               (Ids{moved > 0.f ? 0u : 1u, 2}));
   }
 }
 

@@ -28,9 +28,10 @@ namespace pcl {
  *
  * The motion of the camera need not be known, but must be small from frame to frame: planes
  * must cover some of the pixels that they did before, those with parallel ones beside them half.
- * A plane is the one before that covered most of the same pixels, which count half where its
- * normal has turned by 0.1 radians or its distance changed by 3 cm, and less where they changed
- * more; more than 0.5 radians or 1 m is another plane. A plane that is not found, or hidden, or
+ * A plane is the one before that covered most of the same pixels, weighted by how little normal
+ * and distance have changed; more than 0.5 radians or 1 m is another plane. While the camera stays,
+ * so that a quarter of the pixels show planes with the distance they had, 3 cm halve the weight:
+ * what stood before a wall that stays, and is taken away, is not the wall. A plane that is not found, or hidden, or
  * taken for a part of another one, is remembered where it was seen last, for 15 frames. When a
  * plane falls into parts, the part with the largest overlap keeps the identity; when planes are
  * joined, the one with the largest overlap does.
@@ -84,6 +85,7 @@ private:
     float score;
     std::uint32_t track;
     std::uint32_t plane;
+    float turn = 0.f, shift = 0.f;
   };
 
   bool
@@ -103,6 +105,10 @@ private:
 
   void
   match ();
+
+  /** \brief How far planes have moved that cover the quarter of the pixels that moved least. */
+  float
+  leastShift ();
 
   std::uint32_t
   addTrack ();
