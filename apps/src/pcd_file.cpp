@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <vector>
@@ -61,15 +62,20 @@ declaredBytes (const std::string& header)
   std::istringstream lines (header);
   double fields = 0., points = 0.;
   std::vector<double> sizes, counts;
+  bool has_fields = false;
   for (std::string line, key; std::getline (lines, line);) {
     std::istringstream words (line);
     words >> key;
     const auto startsWith = [&] (const char* start) {
       return key.rfind (start, 0) == 0;
     };
-    if (startsWith ("FIELDS") || startsWith ("COLUMNS"))
+    if (startsWith ("FIELDS") || startsWith ("COLUMNS")) {
+      if (has_fields) // PCDReader takes sizes of the first ones for those of the others
+        return std::numeric_limits<double>::infinity();
+      has_fields = true;
       for (std::string name; words >> name;)
         fields += 1.;
+    }
     for (std::string word; words >> word;) {
       char* rest = nullptr;
       double number = std::strtod (word.c_str(), &rest); // infinite if too large

@@ -180,6 +180,18 @@ TEST (OrganizedPcd, NoMemoryIsTakenForValuesThatTheFileCannotHold)
   }
 }
 
+TEST (OrganizedPcd, FieldsThatAreNamedTwiceAreRefused)
+{
+  const TemporaryFolder folder;
+  for (const std::string other : {"FIELDS a b c d\n", "COLUMNS x y z\n"}) {
+    std::string text = asciiPcd ("x y z", 2, 2, "1 1 1\n2 2 2\n3 3 3\n4 4 4\n");
+    text.insert (text.find ("TYPE"), other);
+    writeFile (folder / "twice.pcd", text);
+    EXPECT_NE (messageOf (folder / "twice.pcd").find ("damaged"), std::string::npos)
+        << other;
+  }
+}
+
 TEST (OrganizedPcd, ViewpointsMayBeNegativeAndFieldsWithoutSizes)
 {
   const TemporaryFolder folder;
