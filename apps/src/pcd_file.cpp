@@ -87,7 +87,7 @@ declaredBytes (const std::string& header)
       if (startsWith ("SIZE"))
         sizes.push_back (number);
       else if (startsWith ("COUNT"))
-        counts.push_back (number);
+        counts.push_back (std::max (number, 1.));
       else if (startsWith ("POINTS"))
         points = std::max (points, number);
     }
@@ -110,7 +110,7 @@ readHeader (const std::string& bytes, const std::string& file)
   PcdFile header;
   const std::string lines = headerLines (bytes);
   // Each byte of compressed data stands for 88 at most.
-  if (declaredBytes (lines) > 100. * static_cast<double> (bytes.size()))
+  if (!(declaredBytes (lines) <= 100. * static_cast<double> (bytes.size())))
     throw damaged (file);
   std::istringstream stream (lines);
   int result = -1;

@@ -180,6 +180,19 @@ TEST (OrganizedPcd, NoMemoryIsTakenForValuesThatTheFileCannotHold)
   }
 }
 
+TEST (OrganizedPcd, NoMemoryIsTakenForFieldsOfAnySize)
+{
+  const TemporaryFolder folder;
+  for (const std::string size : {"2147483647", "1e666"}) {
+    std::string huge = asciiPcd ("x y z", 2, 2, "1 1 1\n");
+    huge.replace (huge.find ("SIZE 4 4"), 8, "SIZE 4 " + size);
+    huge.replace (huge.find ("COUNT 1 1"), 9, "COUNT 1 0");
+    writeFile (folder / "huge.pcd", huge);
+    EXPECT_NE (messageOf (folder / "huge.pcd").find ("damaged"), std::string::npos)
+        << size;
+  }
+}
+
 TEST (OrganizedPcd, FieldsThatAreNamedTwiceAreRefused)
 {
   const TemporaryFolder folder;
