@@ -111,7 +111,7 @@ AttachedParts::findContacts (const ObjectCluster& cluster, const SupportPlane& s
           continue;
         Contact contact{next->cluster, support.plane.distance (points_[i])};
         if (normals_.normal)
-          contact.slope = support.plane.normal.dot (
+          contact.cosine = support.plane.normal.dot (
               Eigen::Map<const Eigen::Vector3f> (normals_[next->point]));
         contacts_.push_back (contact);
         break;
@@ -122,8 +122,8 @@ AttachedParts::findContacts (const ObjectCluster& cluster, const SupportPlane& s
 bool
 AttachedParts::isSteep()
 {
-  return !contact_slopes_.empty() &&
-         valueAbove (contact_slopes_, contact_slopes_.size() / 2) < min_rest;
+  return !contact_cosines_.empty() &&
+         valueAbove (contact_cosines_, contact_cosines_.size() / 2) < min_rest;
 }
 
 /** Whether the cluster neither stands on its plane nor rests on the other one. */
@@ -141,12 +141,12 @@ AttachedParts::isPart (const ObjectCluster& cluster,
       squared_range = std::max (squared_range, squaredRange (points_[i]));
     }
   contact_heights_.clear();
-  contact_slopes_.clear();
+  contact_cosines_.clear();
   for (const Contact& contact : contacts_)
     if (contact.other == other) {
       contact_heights_.push_back (contact.height);
-      if (std::isfinite (contact.slope))
-        contact_slopes_.push_back (contact.slope);
+      if (std::isfinite (contact.cosine))
+        contact_cosines_.push_back (contact.cosine);
     }
   const float low = valueAbove (heights_, min_low_points - 1);
   const float high = valueAbove (

@@ -15,13 +15,20 @@ namespace {
 constexpr float side = 0.1f; // half the width of the thing
 const Box thing = onTable (1.1f, 0.f, {0.16f, 2.f * side, 0.22f});
 
-/** Box 2 is the thing, box 3 the part. Where the part ends, no depth is measured. */
-View
-lookAt (const Box& part)
+Camera
+largeCamera ()
 {
   Camera camera;
   camera.width = 640;
   camera.image_height = 480;
+  return camera;
+}
+
+/** Box 2 is the thing, box 3 the part. Where the part ends, no depth is measured. */
+View
+lookAt (const Box& part)
+{
+  const Camera camera = largeCamera();
   View view = look ({floor_slab, table, thing, part}, camera);
   const int width = static_cast<int> (camera.width);
   for (const auto i : view.pixelsOf (3))
@@ -77,20 +84,14 @@ TEST (AttachedParts, AHandleIsNotSplitOff)
 {
   // Set back, so that it meets the thing at a concave edge.
   const Box handle{{1.06f, side + 0.015f, table_height + 0.08f}, {0.06f, 0.03f, 0.08f}};
-  Camera camera;
-  camera.width = 640;
-  camera.image_height = 480;
-  expectWhole (look ({floor_slab, table, thing, handle}, camera), true);
+  expectWhole (look ({floor_slab, table, thing, handle}, largeCamera()), true);
 }
 
 TEST (AttachedParts, WhatIsOnASteepFaceIsNotSplitOff)
 {
   // Part of it is higher than the thing, but it stands out in front of it.
   const Box cap{{1.03f, 0.f, table_height + 0.2f}, {0.04f, 0.05f, 0.06f}};
-  Camera camera;
-  camera.width = 640;
-  camera.image_height = 480;
-  expectWhole (look ({floor_slab, table, thing, cap}, camera), true);
+  expectWhole (look ({floor_slab, table, thing, cap}, largeCamera()), true);
 }
 
 TEST (AttachedParts, AFootHardlyHigherThanNoiseIsPartOfItsThing)

@@ -41,7 +41,7 @@ private:
   struct Contact {
     std::size_t other = 0;
     float height = 0.f;
-    float slope = 1.f; // the cosine of that of the other one's surface, or NaN
+    float cosine = 1.f; // of the slope of the other one's surface, or NaN
   };
 
   void
@@ -62,7 +62,7 @@ private:
   std::vector<Contact> contacts_;
   std::vector<std::size_t> sizes_;         // of clusters, in points
   std::vector<std::size_t> contacts_with_; // each of the clusters
-  std::vector<float> heights_, contact_heights_, contact_slopes_;
+  std::vector<float> heights_, contact_heights_, contact_cosines_;
 };
 
 } // namespace rgbd_planes

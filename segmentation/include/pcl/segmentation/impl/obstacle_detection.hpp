@@ -72,7 +72,8 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
   std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
   if (fault.empty()) {
     fault = rgbd_planes::faultOfIndices (excluded_.get(), input_->size());
-    fault.insert (0, fault.empty() ? "" : "setExcludedIndices: ");
+    if (!fault.empty())
+      fault.insert (0, "setExcludedIndices: ");
   }
   if (fault.empty() && !(rgbd_planes::areOfPoints (normals_.get(), *input_) &&
                          rgbd_planes::areOfPoints (labels_.get(), *input_)))
