@@ -72,23 +72,19 @@ DistanceSpaceClusters::compute (const PlaneSamples& samples,
   }
 
   cluster_of_bin_.resize (bins_.size());
-  normal_clusters_.clear();
-  for (std::size_t k = 0; k < normals.size(); ++k)
-    if (histogram_of_[k] != NormalSpaceClusters::none) {
-      const auto histogram = static_cast<std::size_t> (histogram_of_[k]);
-      if (at_minima)
-        splitAtMinima (histogram, static_cast<std::int32_t> (k));
-      else
-        mergeNeighbours (histogram, static_cast<std::int32_t> (k));
-    }
+  clusters_ = 0;
+  for (std::size_t histogram = 0; histogram < histograms; ++histogram)
+    if (at_minima)
+      splitAtMinima (histogram);
+    else
+      mergeNeighbours (histogram);
   for (const std::uint32_t i : samples.seeds)
     if (labels_[i] != NormalSpaceClusters::none)
       labels_[i] = cluster_of_bin_[static_cast<std::size_t> (labels_[i])];
 }
 
 void
-DistanceSpaceClusters::splitAtMinima (std::size_t histogram,
-                                      std::int32_t normal_cluster)
+DistanceSpaceClusters::splitAtMinima (std::size_t histogram)
 {
   std::size_t begin = histogram * bins_per_histogram;
   std::size_t end = begin + bins_per_histogram;
@@ -104,18 +100,16 @@ DistanceSpaceClusters::splitAtMinima (std::size_t histogram,
   bool falling = true;
   for (std::size_t i = begin; i < end; ++i) {
     const std::uint32_t now = smoothed (i);
-    if (now > before && falling)
-      normal_clusters_.push_back (normal_cluster);
+    clusters_ += now > before && falling;
     if (now != before)
       falling = now < before;
     before = now;
-    cluster_of_bin_[i] = static_cast<std::int32_t> (normal_clusters_.size()) - 1;
+    cluster_of_bin_[i] = clusters_ - 1;
   }
 }
 
 void
-DistanceSpaceClusters::mergeNeighbours (std::size_t histogram,
-                                        std::int32_t normal_cluster)
+DistanceSpaceClusters::mergeNeighbours (std::size_t histogram)
 {
   const std::size_t begin = histogram * bins_per_histogram;
   merged_bins_.resize (bins_per_histogram);
@@ -132,10 +126,9 @@ DistanceSpaceClusters::mergeNeighbours (std::size_t histogram,
   });
   // Neighbours alone were merged: a cluster ends where the next one begins.
   for (std::size_t i = 0; i < bins_per_histogram; ++i) {
-    if (bins_[begin + i] > 0 && (i == 0 || merging_.find (i) != merging_.find (i - 1)))
-      normal_clusters_.push_back (normal_cluster);
-    cluster_of_bin_[begin + i] =
-        static_cast<std::int32_t> (normal_clusters_.size()) - 1;
+    clusters_ +=
+        bins_[begin + i] > 0 && (i == 0 || merging_.find (i) != merging_.find (i - 1));
+    cluster_of_bin_[begin + i] = clusters_ - 1;
   }
 }
 

@@ -175,13 +175,9 @@ void
 PlaneExtraction::growParts()
 {
   for (std::size_t k = 0; k < components_.size(); ++k) {
-    const auto component = components_[k];
-    const auto normal_cluster = static_cast<std::size_t> (
-        distance_clusters_.normalClusters()[component.cluster()]);
-    const Eigen::Vector3f& normal = normal_clusters_.meanNormals()[normal_cluster];
     auto result = PlaneGrowth::Result::side_of_bend;
     while (result == PlaneGrowth::Result::side_of_bend)
-      result = growth_.grow (samples_, component, normal);
+      result = growth_.grow (samples_, components_[k]);
     switch (result) {
     case PlaneGrowth::Result::side_of_bend:
     case PlaneGrowth::Result::plane:

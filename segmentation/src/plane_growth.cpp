@@ -24,8 +24,6 @@ constexpr double stable_share = 0.02;
 constexpr double min_seed_share = 0.15, min_claim_share = 0.2, min_part_share = 0.4;
 /** A tile belongs to a plane with so many samples. */
 constexpr std::uint8_t min_tile_points = 3;
-/** A seed whose plane is tilted by more against its mean normal gets that. */
-constexpr float min_start_cosine = 0.8f;
 /** The points of a seed may be on several levels where the mean square of their errors, in
  * standard deviations, is larger. */
 constexpr double max_seed_error = 1.;
@@ -65,9 +63,7 @@ PlaneGrowth::reset (const PlaneSamples& samples,
 }
 
 PlaneGrowth::Result
-PlaneGrowth::grow (PlaneSamples& samples,
-                   const SampleComponents::Component& seed,
-                   const Eigen::Vector3f& mean_normal)
+PlaneGrowth::grow (PlaneSamples& samples, const SampleComponents::Component& seed)
 {
   PlaneMoments moments = fitSeed (samples, seed);
   Eigen::Vector3d m = moments.inverseDistance();
@@ -79,11 +75,7 @@ PlaneGrowth::grow (PlaneSamples& samples,
   if (static_cast<double> (moments.points) <
       std::max (3., min_seed_share * min_points_))
     return Result::claimed_by_larger;
-  Plane plane = planeOf (m);
-  if (!(std::abs (plane.normal.dot (mean_normal)) >= min_start_cosine)) {
-    const float d = -mean_normal.dot (moments.mean().cast<float>());
-    plane = {d < 0.f ? Eigen::Vector3f (-mean_normal) : mean_normal, std::abs (d)};
-  }
+  const Plane plane = planeOf (m);
   if (!claimUntilStable (samples, plane, max_sigmas_))
     return Result::too_few_points;
   bool is_side = false;

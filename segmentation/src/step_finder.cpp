@@ -54,30 +54,16 @@ StepFinder::find (const std::vector<SampleError>& samples,
   if (lines_.empty())
     return false;
   fitSurface (samples);
-  struct Found {
-    GridLine line;
-    double gain;
-  };
-  const double least = (1. - max_left * max_left) * squares_;
-  Found best{{}, least}, high = best;
-  for (const GridLine& line : lines_) {
-    const Shift shift = shiftBehind (line, samples.size(), min_side);
-    if (shift.gain > best.gain)
-      best = {line, shift.gain};
-    if (shift.isHigh() && shift.gain > high.gain)
-      high = {line, shift.gain};
-  }
-  double most = 0.;
-  for (auto [line, gain] : {best, high}) {
-    if (!(gain > least))
-      continue;
-    const Shift shift = refine (line, samples.size(), min_side);
-    if (shift.isHigh() && shift.gain > most) {
-      most = shift.gain;
+  double most = (1. - max_left * max_left) * squares_;
+  bool is_any = false;
+  for (const GridLine& line : lines_)
+    if (const double gain = shiftBehind (line, samples.size(), min_side).gain;
+        gain > most) {
+      most = gain;
       step = line;
+      is_any = true;
     }
-  }
-  return most > 0.;
+  return is_any && refine (step, samples.size(), min_side).isHigh();
 }
 
 std::size_t

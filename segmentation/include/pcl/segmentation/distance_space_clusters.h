@@ -44,13 +44,6 @@ public:
     return labels_;
   }
 
-  /** \brief The normal cluster that each cluster is part of. */
-  const std::vector<std::int32_t>&
-  normalClusters () const
-  {
-    return normal_clusters_;
-  }
-
 private:
   /** Points, and the sum of their distances as numbers of bins. */
   struct Bin {
@@ -66,10 +59,10 @@ private:
   };
 
   void
-  splitAtMinima (std::size_t histogram, std::int32_t normal_cluster);
+  splitAtMinima (std::size_t histogram);
 
   void
-  mergeNeighbours (std::size_t histogram, std::int32_t normal_cluster);
+  mergeNeighbours (std::size_t histogram);
 
   /** Which histogram a normal cluster has, or none. */
   std::vector<std::int32_t> histogram_of_;
@@ -79,7 +72,7 @@ private:
   std::vector<std::int32_t> cluster_of_bin_;
   /** Bin of each point, then its cluster. */
   std::vector<std::int32_t> labels_;
-  std::vector<std::int32_t> normal_clusters_;
+  std::int32_t clusters_ = 0; // so far
   std::vector<Bin> merged_bins_;
   ClusterMerging<Bin> merging_;
 };

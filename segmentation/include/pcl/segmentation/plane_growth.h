@@ -50,12 +50,9 @@ public:
          float max_sigmas,
          const PlaneAdditions& additions);
 
-  /** \brief Grows a plane from \a seed, whose normals have the mean \a mean_normal. Its
-   * points are no longer free. */
+  /** \brief Grows a plane from \a seed. Its points are no longer free. */
   Result
-  grow (PlaneSamples& samples,
-        const SampleComponents::Component& seed,
-        const Eigen::Vector3f& mean_normal);
+  grow (PlaneSamples& samples, const SampleComponents::Component& seed);
 
   /** \brief The planes found so far, with the moments of their samples. */
   const std::vector<PlaneMoments>&

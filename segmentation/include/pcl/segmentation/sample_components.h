@@ -24,13 +24,6 @@ public:
   struct Component {
     const TilePart* first;
     const TilePart* last;
-    std::size_t samples;
-
-    std::size_t
-    cluster () const
-    {
-      return first->plane;
-    }
   };
 
   /** \brief Finds components of at least \a min_points samples, each touching the next
@@ -54,9 +47,7 @@ public:
   operator[] (std::size_t component) const
   {
     const Members& members = components_[component];
-    return {&members_[members.first],
-            &members_[members.first] + members.number,
-            members.samples};
+    return {&members_[members.first], &members_[members.first] + members.number};
   }
 
 private:
