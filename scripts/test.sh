@@ -1,7 +1,14 @@
 #!/usr/bin/env bash
-# Installs what is missing, checks the format, builds with warnings as errors, runs all tests.
+# test.sh [--thorough]: installs what is missing, checks the format, builds with warnings as errors,
+# runs the tests; with --thorough also those with sanitizers, fuzzers, Valgrind and an emulated ARM
+# processor, which take longer than all others.
 # Recordings are taken from the folder PCL_RGBD_PLANES_DATA, or ../shared/data where it exists.
 set -euo pipefail
+case $* in
+  "") tests=(--label-exclude thorough) ;;
+  --thorough) tests=() ;;
+  *) echo "usage: $0 [--thorough]" >&2; exit 2 ;;
+esac
 cd "$(dirname "$0")/.."
 
 echo "== Installing what is missing"
@@ -24,8 +31,8 @@ cmake --preset ci -DPCL_RGBD_PLANES_DATA="$data"
 cmake --build build-ci
 
 echo "== Testing"
-ctest --test-dir build-ci --output-on-failure --parallel 2
-if [ -e build-ci/sanitize/coverage.txt ]; then
+ctest --test-dir build-ci --output-on-failure --parallel 2 "${tests[@]}"
+if [ "$*" = --thorough ] && [ -e build-ci/sanitize/coverage.txt ]; then
   echo "== Coverage of the library's code by the tests"
   cat build-ci/sanitize/coverage.txt
 fi
