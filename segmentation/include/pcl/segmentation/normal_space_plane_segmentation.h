@@ -12,9 +12,9 @@
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
-#include <pcl/segmentation/connected_parts.h>
 #include <pcl/segmentation/planar_region.h>
 #include <pcl/segmentation/plane_extraction.h>
+#include <pcl/segmentation/plane_outputs.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -389,10 +389,6 @@ private:
   isSegmented () const;
 
   void
-  fillModels (std::vector<ModelCoefficients>& model_coefficients,
-              std::vector<PointIndices>& inlier_indices);
-
-  void
   fillLabels (PointCloudL& labels) const;
 
   void
@@ -419,9 +415,7 @@ private:
   // Memory that is used again:
   rgbd_planes::SensorPoints relative_points_;
   std::vector<std::uint8_t> selected_;
-  std::vector<index_t*> list_ends_;
-  rgbd_planes::ConnectedParts parts_;
-  std::vector<rgbd_planes::ConnectedParts::Part> largest_parts_;
+  rgbd_planes::PlaneOutputs outputs_;
   std::vector<PointIndices> boundary_indices_;
 };
 

@@ -8,10 +8,8 @@
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/plane_points.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
-#include <pcl/segmentation/region_contour.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace pcl {
@@ -93,13 +91,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::findPlanes()
   }
   else
     plane_extraction_ = rgbd_planes::PlaneExtraction();
-
-  const auto& planes = plane_extraction_.planes();
-  const auto& moments = plane_extraction_.moments();
-  rms_.resize (planes.size());
-  for (std::size_t k = 0; k < planes.size(); ++k)
-    rms_[k] = std::sqrt (std::max (moments[k].squaredDistances (planes[k]), 0.) /
-                         static_cast<double> (moments[k].points));
+  rgbd_planes::fillRms (plane_extraction_, rms_);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -129,29 +121,6 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
 
 template <typename PointT, typename PointNT, typename PointLT>
 void
-NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillModels (
-    std::vector<ModelCoefficients>& model_coefficients,
-    std::vector<PointIndices>& inlier_indices)
-{
-  const auto& planes = plane_extraction_.planes();
-  model_coefficients.resize (planes.size());
-  inlier_indices.resize (planes.size());
-  list_ends_.resize (planes.size());
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    const auto& plane = planes[k];
-    model_coefficients[k].header = header_;
-    model_coefficients[k].values = {
-        plane.normal[0], plane.normal[1], plane.normal[2], plane.d};
-    inlier_indices[k].header = header_;
-    inlier_indices[k].indices.resize (plane_extraction_.runs().pixels()[k]);
-    list_ends_[k] = inlier_indices[k].indices.data();
-  }
-  for (const auto& run : plane_extraction_.runs().runs())
-    run.appendTo (list_ends_[run.label]);
-}
-
-template <typename PointT, typename PointNT, typename PointLT>
-void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillLabels (
     PointCloudL& labels) const
 {
@@ -176,19 +145,9 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
     Regions& regions, std::vector<PointIndices>& boundary_indices)
 {
   const auto& planes = plane_extraction_.planes();
-  parts_.find (plane_extraction_.runs());
-  largest_parts_.assign (planes.size(), {});
-  for (const auto& part : parts_.parts())
-    if (part.pixels > largest_parts_[part.label].pixels)
-      largest_parts_[part.label] = part;
-
+  outputs_.fillBoundaries (plane_extraction_, width_, header_, boundary_indices);
   regions.resize (planes.size());
-  boundary_indices.resize (planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    boundary_indices[k].header = header_;
-    Indices& boundary = boundary_indices[k].indices;
-    rgbd_planes::traceContour (
-        plane_extraction_.labels(), width_, largest_parts_[k].first, boundary);
     const auto& moments = plane_extraction_.moments()[k];
     Eigen::Vector4f coefficients;
     coefficients << planes[k].normal, planes[k].d;
@@ -199,7 +158,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::fillRegions (
                                        {},
                                        coefficients);
     regions[k].setCurvature (static_cast<float> (moments.curvature()));
-    fillContour (boundary, coefficients, regions[k].getContour());
+    fillContour (boundary_indices[k].indices, coefficients, regions[k].getContour());
   }
 }
 
@@ -229,7 +188,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::segment (
     std::vector<PointIndices>& inlier_indices)
 {
   extract();
-  fillModels (model_coefficients, inlier_indices);
+  outputs_.fillModels (plane_extraction_, header_, model_coefficients, inlier_indices);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
@@ -312,7 +271,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::refine (
         getClassName().c_str());
     return;
   }
-  fillModels (model_coefficients, inlier_indices);
+  outputs_.fillModels (plane_extraction_, header_, model_coefficients, inlier_indices);
   label_indices = inlier_indices;
   if (!labels)
     labels = pcl::make_shared<PointCloudL>();
@@ -325,27 +284,11 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::getSegments (
     std::vector<PointIndices>& segment_indices,
     std::vector<std::size_t>& plane_of_segment)
 {
-  parts_.find (plane_extraction_.runs());
-  const auto& parts = parts_.parts();
-  const auto isLarge = [this] (const rgbd_planes::ConnectedParts::Part& part) {
-    return part.pixels >= parameters_.min_inliers;
-  };
-  segment_indices.resize (
-      static_cast<std::size_t> (std::count_if (parts.begin(), parts.end(), isLarge)));
-  plane_of_segment.clear();
-  list_ends_.assign (parts.size(), nullptr);
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    if (isLarge (parts[part])) {
-      PointIndices& segment = segment_indices[plane_of_segment.size()];
-      segment.header = header_;
-      segment.indices.resize (parts[part].pixels);
-      list_ends_[part] = segment.indices.data();
-      plane_of_segment.push_back (parts[part].label);
-    }
-  const auto& runs = plane_extraction_.runs().runs();
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (index_t*& end = list_ends_[parts_.partOfRun()[i]])
-      runs[i].appendTo (end);
+  outputs_.fillSegments (plane_extraction_,
+                         parameters_.min_inliers,
+                         header_,
+                         segment_indices,
+                         plane_of_segment);
 }
 
 } // namespace pcl
