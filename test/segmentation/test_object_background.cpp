@@ -91,6 +91,13 @@ TEST (ObjectBackground, WallBehindATableIsNoObject)
     EXPECT_EQ (of_wall.count (object.indices.indices.front()), 0u);
 }
 
+TEST (ObjectBackground, AThingThatReachesALowPanelBehindItsTableIsAnObject)
+{
+  const Box panel{{1.665f, 0.f, table_height}, {0.02f, 1.f, 0.2f}};
+  const Box sticking_out = onTable (1.6f, 0.f, {0.1f, 0.1f, 0.15f});
+  expectBoxesInNoise ({floor_slab, table, panel, sticking_out}, {}, {3});
+}
+
 TEST (ObjectBackground, WallsAndLegsOfTheTableAreNoObjects)
 {
   const Box wall{{1.65f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};

@@ -251,6 +251,18 @@ TEST (ObjectClusters, EachOfAStackRestsOnTheOneBelow)
   }
 }
 
+TEST (ObjectClusters, WhatIsOnAStackHigherThanObjectsIsAnObject)
+{
+  const View view = look ({floor_slab,
+                           {{1.2f, 0.f, 0.f}, {0.5f, 0.5f, 0.2f}},
+                           {{1.2f, 0.f, 0.2f}, {0.4f, 0.4f, 0.2f}},
+                           {{1.2f, 0.f, 0.4f}, {0.08f, 0.08f, 0.1f}}});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects.front(), view, 3), 0.85);
+  EXPECT_EQ (objects.front().support, view.top.at (2));
+}
+
 TEST (ObjectClusters, FootOfAnObjectOnAnObject)
 {
   // Noise explains the heights of an eighth of the points of the upper box.
