@@ -54,16 +54,15 @@ StepFinder::find (const std::vector<SampleError>& samples,
   if (lines_.empty())
     return false;
   fitSurface (samples);
-  double most = (1. - max_left * max_left) * squares_;
-  bool is_any = false;
+  const double least = (1. - max_left * max_left) * squares_;
+  double most = least;
   for (const GridLine& line : lines_)
     if (const double gain = shiftBehind (line, samples.size(), min_side).gain;
         gain > most) {
       most = gain;
       step = line;
-      is_any = true;
     }
-  return is_any && refine (step, samples.size(), min_side).isHigh();
+  return most > least && refine (step, samples.size(), min_side).isHigh();
 }
 
 std::size_t
