@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# other_releases.sh [SUITE...]: builds and tests as scripts/test.sh does in a fresh installation of
-# each release of Debian: trixie by default, for its PCL 1.15. Takes an hour, and 8 GB where
-# temporary files go. Exit 1 where a test fails; 77 where it cannot be tried: not root, or no
-# debootstrap.
+# other_releases.sh [SUITE...]: builds and tests as scripts/test.sh --thorough does in a fresh
+# installation of each release of Debian: trixie by default, for its PCL 1.15. Takes an hour, and
+# 8 GB where temporary files go. Exit 1 where a test fails; 77 where it cannot be tried: not root,
+# or no debootstrap.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null; then
@@ -28,6 +28,6 @@ for suite in "${@:-trixie}"; do
     mount --rbind /dev "$1/dev"
     [ ! -d "$2" ] || mount --bind "$2" "$1/shared/data"
     exec env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-      chroot "$1" bash /pcl_rgbd_planes/scripts/test.sh' bash "$root" "$data"
+      chroot "$1" bash /pcl_rgbd_planes/scripts/test.sh --thorough' bash "$root" "$data"
   rm -rf --one-file-system "$root"
 done
