@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -56,7 +55,7 @@ ObjectClusters::sumUp()
     sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
     sums.at_border += pointsAtBorder (run);
     sums.cut_tops += pointsAtBorder (run, stepUpwards (run.first));
-    countLeaksAndTops (run, limit, sums);
+    lookAtMargin (run, limit, sums);
   });
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (sums.at_background > 0)
@@ -156,106 +155,6 @@ ObjectClusters::pointsWellInside (const PointRun& run,
              parameters_.hull_tolerance +
                  clear_sigmas * parameters_.noise.sigma (squaredRange (points_[i]));
   return count;
-}
-
-template <typename Visit>
-void
-ObjectClusters::visitMargin (const PointRun& run, const Visit& visit) const
-{
-  constexpr std::uint32_t at_once = 8;
-  const std::uint8_t* own = &place_[run.first];
-  const std::uint8_t* up = &place_[nextPixel (points_, run.first, -points_.width)];
-  const std::uint8_t* down = &place_[nextPixel (points_, run.first, points_.width)];
-  for (std::uint32_t k = 0; k < run.length; ++k) {
-    while (k > 0 && k + at_once < run.length &&
-           std::memcmp (own + k, up + k, at_once) == 0 &&
-           std::memcmp (own + k, down + k, at_once) == 0)
-      k += at_once;
-    if (k == 0 || k + 1 == run.length || own[k] != up[k] || own[k] != down[k])
-      visit (run.first + k);
-  }
-}
-
-void
-ObjectClusters::countLeaksAndTops (const PointRun& run,
-                                   const LinkLimit& limit,
-                                   Sums& sums) const
-{
-  const std::ptrdiff_t step = stepUpwards (run.first);
-  const std::ptrdiff_t side = step == 1 || step == -1 ? points_.width : 1;
-  const SupportPlane& own = supports_->planes()[sums.support];
-  // What is level with another plane is nowhere, and yet may be too high.
-  const auto isOutside = [&] (std::uint32_t j) {
-    return place_[j] == outside ||
-           (place_[j] == nowhere &&
-            heightAbove (own, j) > parameters_.max_object_height);
-  };
-  // The plane that others stand on, on top of furniture.
-  const auto isOnOther = [&] (std::uint32_t j) {
-    return place_[j] == nowhere && !is_background_[j] &&
-           !mayBeOnPlane (points_[j], own.plane, heightAbove (own, j), parameters_);
-  };
-  visitMargin (run, [&] (std::uint32_t i) {
-    bool leaks = false, is_at_background = false;
-    const auto lookAt = [&] (std::ptrdiff_t step_to) {
-      const std::uint32_t j = nextPixel (points_, i, step_to);
-      if ((isOutside (j) || is_background_[j]) && limit.allows (points_[i], points_[j]))
-        (is_background_[j] ? is_at_background : leaks) = true;
-    };
-    lookAt (-points_.width);
-    lookAt (points_.width);
-    if (i == run.first)
-      lookAt (-1);
-    if (i == run.first + run.length - 1)
-      lookAt (1);
-    sums.leaks += leaks;
-    sums.at_background += is_at_background;
-    std::uint32_t last = i, k = nextPixel (points_, i, step);
-    if (place_[k] == place_[i])
-      return;
-    const auto goesOnBeside = [&] (std::ptrdiff_t step_to) {
-      const std::uint32_t j = nextPixel (points_, k, step_to);
-      return j != k && place_[j] == place_[i] && limit.allows (points_[i], points_[j]);
-    };
-    // What leans has sides, not tops, that end there.
-    if (goesOnBeside (side) || goesOnBeside (-side))
-      return;
-    for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
-         k = nextPixel (points_, k, step))
-      last = k;
-    if (k == last || place_[k] == place_[i])
-      return;
-    ++sums.tops;
-    sums.going_on += limit.allows (points_[i], points_[k])
-                         ? isOutside (k) || isOnOther (k)
-                         : squaredRange (points_[k]) < squaredRange (points_[i]);
-  });
-}
-
-std::ptrdiff_t
-ObjectClusters::stepUpwards (std::uint32_t i) const
-{
-  const float elevation = elevationOf (i);
-  // By how much it grows with a step; 0 where no pixel beside is measured.
-  const auto rise = [&] (std::ptrdiff_t step) {
-    for (const int side : {1, -1}) {
-      const std::uint32_t k = nextPixel (points_, i, side * step);
-      if (k != i && isMeasured (points_[k]))
-        return static_cast<float> (side) * (elevationOf (k) - elevation);
-    }
-    return 0.f;
-  };
-  const float right = rise (1), down = rise (points_.width);
-  const bool along_row = std::fabs (right) > std::fabs (down);
-  return (along_row ? 1 : points_.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
-}
-
-/** The sine of the angle between a ray and the supporting planes. */
-float
-ObjectClusters::elevationOf (std::uint32_t i) const
-{
-  const Eigen::Map<const Eigen::Vector3f> p (points_[i]);
-  return bases_.back()->plane.normal.dot (p) / p.norm();
 }
 
 /** Sides that are seen so flatly that each row or column of their pixels is on its own are

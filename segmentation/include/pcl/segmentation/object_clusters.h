@@ -204,7 +204,22 @@ private:
   visitMargin (const PointRun& run, const Visit& visit) const;
 
   void
-  countLeaksAndTops (const PointRun& run, const LinkLimit& limit, Sums& sums) const;
+  lookAtMargin (const PointRun& run, const LinkLimit& limit, Sums& sums) const;
+
+  bool
+  isOutside (std::uint32_t i, const SupportPlane& support) const;
+
+  void
+  countLeak (std::uint32_t i,
+             const PointRun& run,
+             const LinkLimit& limit,
+             Sums& sums) const;
+
+  void
+  countTop (std::uint32_t i,
+            std::ptrdiff_t up,
+            const LinkLimit& limit,
+            Sums& sums) const;
 
   float
   elevationOf (std::uint32_t i) const;
