@@ -164,7 +164,12 @@ ScanBuilder::find (float x, float y, std::size_t column) const
   float steps =
       (std::atan2 (y, x) - limits_.angle_min) / limits_.angle_increment + 0.5f;
   steps -= steps_in_turn * std::floor (steps / steps_in_turn);
-  return std::min (static_cast<std::size_t> (steps), noSector());
+  const auto sector = static_cast<std::size_t> (steps);
+  if (sector < noSector() || scan_->ranges.size() < noSector())
+    return std::min (sector, noSector());
+  // Between the last direction of a turn and the first one may be more than one increment.
+  const float middle = 0.5f * (static_cast<float> (noSector()) + steps_in_turn);
+  return steps < middle ? noSector() - 1 : 0;
 }
 
 void

@@ -107,6 +107,38 @@ TEST (ObstacleScan, TheScanOfAnObstacleHasNoGapsWherePixelsAreWiderThanItsSteps)
   }
 }
 
+TEST (ObstacleScan, ATurnOfNoWholeNumberOfIncrementsHasNoGap)
+{
+  const auto post = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (
+      640, 480, pcl::PointXYZ (not_a_number, not_a_number, not_a_number));
+  for (int v = 200; v < 280; ++v)
+    for (int u = 318; u < 322; ++u)
+      post->at (u, v) = {(static_cast<float> (u) - 319.5f) / 525.f,
+                         (static_cast<float> (v) - 239.5f) / 525.f,
+                         1.f};
+  Detection detection;
+  detection.setInputCloud (post);
+  detection.setInputNormals (pcl::make_shared<pcl::PointCloud<pcl::Normal>> (640, 480));
+  detection.setInputPlanes (
+      {},
+      pcl::make_shared<pcl::PointCloud<pcl::Label>> (640, 480, pcl::Label{no_plane}));
+  pcl::rgbd_planes::ScanLimits limits;
+  limits.angle_min = 0.f;
+  limits.angle_max = static_cast<float> (2. * M_PI);
+  limits.angle_increment = 0.1f; // the last of 62 directions is 6.1
+  detection.setScanLimits (limits);
+  for (float yaw = -0.22f; yaw < 0.05f; yaw += 0.02f) {
+    detection.setCameraToBase (Eigen::AngleAxisf (yaw, Eigen::Vector3f::UnitZ()) *
+                               cameraPose (0.5f, 0.f));
+    std::vector<Obstacle> obstacles;
+    detection.detect (obstacles);
+    const auto& ranges = detection.getScan().ranges;
+    ASSERT_EQ (ranges.size(), 62u);
+    EXPECT_EQ (std::isfinite (ranges.front()), yaw > -0.0917f) << yaw;
+    EXPECT_EQ (std::isfinite (ranges.back()), yaw < -0.0917f) << yaw;
+  }
+}
+
 TEST (ObstacleScan, TheScanHasNoGapsWhereFewOfManyColumnsAreFarApart)
 {
   // Seen across the front of the robot: three columns step back 5 cm each, many directions.
