@@ -19,6 +19,8 @@ constexpr std::size_t rectangles_in_a_row = 80;
 /** So many are across an image of few rows. */
 constexpr std::size_t rectangles_across = 5;
 constexpr std::ptrdiff_t min_rectangles = 100;
+/** Depth with more noise, in parts of the range, tells nothing. */
+constexpr float max_noise_share = 0.1f;
 /** The median of a normal distribution's sizes, in standard deviations. */
 constexpr float median_size = 0.6745f;
 
@@ -56,8 +58,10 @@ noiseIn (const OrganizedPoints& points,
          const std::vector<std::uint8_t>& selected,
          const DepthNoise& noise)
 {
+  DepthNoise result = noise;
+  result.max_range = std::min (noise.max_range, max_noise_share / noise.quadratic);
   if (!noise.is_least)
-    return noise;
+    return result;
   const auto width = static_cast<std::size_t> (points.width),
              height = static_cast<std::size_t> (points.height);
   const auto sizeAlong = [&] (std::size_t side) {
@@ -80,15 +84,15 @@ noiseIn (const OrganizedPoints& points,
     for (std::size_t v = first_v; v + size_v < height; v += 2 * size_v)
       for (std::size_t u = first_u; u + size_u < width; u += 2 * size_u) {
         *end = errorOfRectangle (
-            points, selected, noise, v * width + u, size_u, size_v * width);
+            points, selected, result, v * width + u, size_u, size_v * width);
         end += std::isfinite (*end);
       }
   }
   if (end - errors.begin() < min_rectangles)
-    return noise;
+    return result;
   const auto median = errors.begin() + (end - errors.begin()) / 2;
   std::nth_element (errors.begin(), median, end);
-  DepthNoise result = noise.times (std::max (1.f, *median / median_size));
+  result = result.times (std::max (1.f, *median / median_size));
   result.is_least = false;
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -79,6 +80,29 @@ scanRoom ()
 }
 
 } // namespace
+
+TEST (PlaneInputs, PixelsFartherThanDepthTellsAnythingAreNotMeasured)
+{
+  const Cloud::Ptr cloud = render (corner(), 320, 240, kinectSigma).cloud;
+  const Normals::Ptr normals = estimateNormals (cloud);
+  // What others write where they measure nothing: the largest of 16 bits, in metres or not.
+  for (const float far : {65.535f, 1000.f, 65535.f, 1e7f}) {
+    Result results[2];
+    for (const bool is_missing : {true, false}) {
+      const auto spoiled = pcl::make_shared<Cloud> (*cloud);
+      for (std::size_t i = 0; i < spoiled->size(); i += 101)
+        (*spoiled)[i].getVector3fMap() *=
+            is_missing ? std::numeric_limits<float>::quiet_NaN() : far / (*cloud)[i].z;
+      Ours segmentation;
+      segmentation.setMinInliers (250);
+      segmentation.setInputCloud (spoiled);
+      segmentation.setInputNormals (normals);
+      segment (segmentation, results[is_missing]);
+    }
+    EXPECT_EQ (results[true].models.size(), 3u);
+    expectSame (results[true], results[false]);
+  }
+}
 
 TEST (PlaneInputs, MillimetresAreToldOnceInARow)
 {

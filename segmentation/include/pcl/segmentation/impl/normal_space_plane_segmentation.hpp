@@ -98,23 +98,25 @@ template <typename PointT, typename PointNT, typename PointLT>
 void
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
 {
-  constexpr double farther_than_any_room = 100.;
-  const Eigen::Vector3d sensor = sensor_origin_.head<3>().template cast<double>();
-  const auto& moments = plane_extraction_.moments();
-  const bool have_no_length = moments.empty() && rgbd_planes::noneIsUnit (*normals_);
+  constexpr float farther_than_any_room = 100.f;
+  const bool have_no_length =
+      plane_extraction_.planes().empty() && rgbd_planes::noneIsUnit (*normals_);
   if (rgbd_planes::isFirstInARow (have_no_length, is_warned_of_normals_))
     PCL_WARN (
         "[pcl::%s] There are no planes, for no normal has a length of 1: give unit "
         "normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
-  const bool are_far =
-      !moments.empty() &&
-      std::all_of (moments.begin(), moments.end(), [&] (const auto& m) {
-        return (m.mean() - sensor).norm() > farther_than_any_room;
-      });
+  const Eigen::Vector3f sensor = sensor_origin_.head<3>();
+  bool are_far = false;
+  for (const auto& point : *input_)
+    if (rgbd_planes::isMeasured (point.data)) {
+      are_far = (point.getVector3fMap() - sensor).norm() > farther_than_any_room;
+      if (!are_far)
+        break;
+    }
   if (rgbd_planes::isFirstInARow (are_far, is_warned_of_range_))
     PCL_WARN (
-        "[pcl::%s] All planes are more than 100 m away: give points in metres, are "
+        "[pcl::%s] All points are more than 100 m away: give points in metres, are "
         "these millimetres?\n",
         getClassName().c_str());
 }
