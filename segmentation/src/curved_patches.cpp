@@ -131,7 +131,7 @@ CurvedPatches::turns (const PlaneSamples& samples,
 {
   findTiles (samples, parts, number);
   const Eigen::Vector3d reference =
-      samples.measuredPoint (tiles_.front()).cast<double>();
+      samples.nearestPoint (tiles_.front()).cast<double>();
   const auto turnWhere = [&] (const auto& samplesOf) {
     for (const std::uint32_t tile : tiles_) {
       const unsigned on = samplesOf (tile);

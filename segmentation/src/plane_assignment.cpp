@@ -157,7 +157,7 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
                     pixels.samples.data(),
                     tile,
                     is_inner_[tile] ? inner : border);
-        sumPixels (pixels.offsets.size(), samples.measuredPoint (tile), tile, noise);
+        sumPixels (pixels.offsets.size(), samples.nearestPoint (tile), tile, noise);
       }
       const auto row = static_cast<std::size_t> (pixels.width);
       for (std::size_t k = 0; k < static_cast<std::size_t> (pixels.height); ++k)
@@ -211,7 +211,7 @@ PlaneAssignment::sumSamples (const PlaneSamples& samples,
                              std::vector<PlaneMoments>& moments) const
 {
   const std::size_t begin = tile * PlaneSamples::tile_size;
-  const Eigen::Vector3d reference = samples.measuredPoint (tile).cast<double>();
+  const Eigen::Vector3d reference = samples.nearestPoint (tile).cast<double>();
   for (const TilePlane& plane : planesOf (tile)) {
     double sums[10];
     const std::size_t number = sumPointsAround (reference,

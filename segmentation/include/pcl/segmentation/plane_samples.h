@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -86,15 +87,20 @@ public:
     });
   }
 
-  /** \brief A measured point of \a tile; (0, 0, 0) if there is none. */
+  /** \brief The nearest measured point of \a tile; (0, 0, 0) if there is none. */
   Eigen::Vector3f
-  measuredPoint (std::size_t tile) const
+  nearestPoint (std::size_t tile) const
   {
-    const float* begin = &weight[tile * tile_size];
-    const float* measured =
-        std::find_if (begin, begin + tile_size - 1, [] (float w) { return w > 0.f; });
-    const auto i = static_cast<std::size_t> (measured - weight.data());
-    return {x[i], y[i], z[i]};
+    Eigen::Vector3f nearest = Eigen::Vector3f::Zero();
+    float square = std::numeric_limits<float>::infinity();
+    for (std::size_t i = tile * tile_size; i < (tile + 1) * tile_size; ++i) {
+      const Eigen::Vector3f point (x[i], y[i], z[i]);
+      if (weight[i] > 0.f && point.squaredNorm() < square) {
+        nearest = point;
+        square = point.squaredNorm();
+      }
+    }
+    return nearest;
   }
 
   /** \brief The place of column \a u, row \a v of the samples in the arrays. */
