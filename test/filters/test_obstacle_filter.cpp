@@ -87,6 +87,14 @@ TEST_F (ObstacleFilterTest, PointsBeyondTheRangeOfTheSensorAreNeverKept)
   }
 }
 
+TEST_F (ObstacleFilterTest, WithoutClassesOnlyWhatIndicesGiveIsRemoved)
+{
+  filter_.setClasses (nullptr);
+  filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{7, 1}));
+  EXPECT_TRUE (kept().empty());
+  EXPECT_EQ (*filter_.getRemovedIndices(), (pcl::Indices{7, 1}));
+}
+
 TEST_F (ObstacleFilterTest, WithIndicesOnlyThesePointsAreLookedAtInTheirOrder)
 {
   filter_.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{11, 3, 1, 7}));

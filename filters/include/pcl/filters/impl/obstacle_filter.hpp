@@ -25,18 +25,21 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
 {
   removed_indices_->clear();
   std::string fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
-  if (fault.empty() && !rgbd_planes::areOfPoints (classes_.get(), *input_))
+  const bool have_indices = fault.empty();
+  if (have_indices && !rgbd_planes::areOfPoints (classes_.get(), *input_))
     fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
             " points and " + rgbd_planes::numberOfPoints (classes_.get()) +
             " classes: pass the classes of ObstacleDetection::detect for this cloud to "
             "setClasses.";
   if (!fault.empty()) {
     PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
-    indices.clear();
-    if (extract_removed_indices_) {
+    if (extract_removed_indices_ && have_indices)
+      *removed_indices_ = *indices_;
+    else if (extract_removed_indices_) {
       removed_indices_->resize (input_->size());
       std::iota (removed_indices_->begin(), removed_indices_->end(), 0);
     }
+    indices.clear();
     return;
   }
   using rgbd_planes::ObstacleClass;
