@@ -341,4 +341,9 @@ TEST (Subsample, TakesEveryNthPixel)
   EXPECT_EQ (subsample (cloud, 4).size(), 4u);
   EXPECT_TRUE (sameBytes (subsample (cloud, 1), cloud));
   EXPECT_THROW (subsample (cloud, 0), std::invalid_argument);
+  EXPECT_EQ (subsample (cloud, 0xffffffff).size(), 1u);
+  const std::vector<int> values (6);
+  EXPECT_EQ (subsample (values, 3, 2).size(), 2u);
+  EXPECT_THROW (subsample (values, 3, 0), std::invalid_argument);
+  EXPECT_THROW (subsample (values, 0, 1), std::invalid_argument);
 }

@@ -24,8 +24,8 @@ subsample (const pcl::PointCloud<PointT>& cloud, std::uint32_t step)
 {
   if (step == 0)
     throw std::invalid_argument ("subsample: the step must be at least 1");
-  pcl::PointCloud<PointT> result ((cloud.width + step - 1) / step,
-                                  (cloud.height + step - 1) / step);
+  const auto numberOf = [step] (std::uint32_t n) { return n / step + (n % step != 0); };
+  pcl::PointCloud<PointT> result (numberOf (cloud.width), numberOf (cloud.height));
   result.header = cloud.header;
   result.is_dense = cloud.is_dense;
   result.sensor_origin_ = cloud.sensor_origin_;
@@ -36,11 +36,14 @@ subsample (const pcl::PointCloud<PointT>& cloud, std::uint32_t step)
   return result;
 }
 
-/** \brief The same of one value for each pixel of an image with so many columns. */
+/** \brief The same of one value for each pixel of an image with so many columns, of which there
+ * must be at least 1. */
 template <typename T>
 std::vector<T>
 subsample (const std::vector<T>& values, std::uint32_t width, std::uint32_t step)
 {
+  if (width == 0 || step == 0)
+    throw std::invalid_argument ("subsample: columns and step must be at least 1");
   std::vector<T> result;
   for (std::size_t row = 0; row < values.size(); row += std::size_t{width} * step)
     for (std::size_t u = 0; u < width; u += step)
