@@ -106,11 +106,13 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
         "[pcl::%s] There are no planes, for no normal has a length of 1: give unit "
         "normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
+  const rgbd_planes::OrganizedPoints points = rgbd_planes::viewPoints (*input_);
   const Eigen::Vector3f sensor = sensor_origin_.head<3>();
   bool are_far = false;
-  for (const auto& point : *input_)
-    if (rgbd_planes::isMeasured (point.data)) {
-      are_far = (point.getVector3fMap() - sensor).norm() > farther_than_any_room;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (rgbd_planes::isMeasured (points[i])) {
+      const Eigen::Map<const Eigen::Vector3f> point (points[i]);
+      are_far = (point - sensor).norm() > farther_than_any_room;
       if (!are_far)
         break;
     }
