@@ -91,16 +91,16 @@ public:
   Eigen::Vector3f
   nearestPoint (std::size_t tile) const
   {
-    Eigen::Vector3f nearest = Eigen::Vector3f::Zero();
-    float square = std::numeric_limits<float>::infinity();
-    for (std::size_t i = tile * tile_size; i < (tile + 1) * tile_size; ++i) {
-      const Eigen::Vector3f point (x[i], y[i], z[i]);
-      if (weight[i] > 0.f && point.squaredNorm() < square) {
-        nearest = point;
-        square = point.squaredNorm();
+    std::size_t nearest = tile * tile_size;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t i = nearest; i < (tile + 1) * tile_size; ++i) {
+      const float square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+      if (weight[i] > 0.f && square < least) {
+        nearest = i;
+        least = square;
       }
     }
-    return nearest;
+    return {x[nearest], y[nearest], z[nearest]};
   }
 
   /** \brief The place of column \a u, row \a v of the samples in the arrays. */
