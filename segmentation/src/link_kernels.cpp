@@ -33,20 +33,39 @@ linkRowHere (const PointRow& row,
       const V range = hn::Sqrt (squared_range);
       const V sigma = sigmaOf (limit.noise, squared_range);
       const V rise = hn::Div (hn::Abs (dot (up, p)), range);
-      const V same_height = hn::IfThenElse (
-          hn::Ge (rise, set (LinkLimit::min_rise)),
-          hn::Mul (hn::Mul (set (LinkLimit::level_sigmas), sigma), rise),
-          set (-1.f));
+      const V run =
+          hn::Sqrt (hn::Max (set (0.f), hn::NegMulAdd (rise, rise, set (1.f))));
       const V noise = hn::Mul (set (limit.sigmas), sigma);
       const V least = hn::Mul (set (LinkLimit::min_slope), range);
       const V slope = set (limit.slope);
-      const V level_slope = hn::Max (slope, hn::Div (set (limit.level_slope), rise));
+      const V known_slope = set (limit.known_slope);
+      const auto slopeOn = [&] (V sine) HWY_ATTR {
+        return hn::Max (slope, hn::Div (known_slope, sine));
+      };
+      const auto unless = [&] (V sine, float least_sine, V same) HWY_ATTR {
+        return hn::IfThenElse (hn::Ge (sine, set (least_sine)), same, set (-1.f));
+      };
+      const V spread = hn::Mul (set (LinkLimit::same_sigmas), sigma);
+      const V level_slope = slopeOn (rise);
+      const V same_height = unless (rise, LinkLimit::min_rise, hn::Mul (spread, rise));
+      const V upright_slope = slopeOn (run);
+      const V same_place =
+          unless (run,
+                  LinkLimit::min_run,
+                  hn::MulAdd (known_slope, range, hn::Mul (spread, run)));
       const auto storeLinks = [&] (const Points& q, std::uint8_t* links) HWY_ATTR {
         const Points way = p - q;
-        const Mask is_level = hn::Le (hn::Abs (dot (up, way)), same_height);
-        const V stretched = hn::IfThenElse (is_level, level_slope, slope);
+        const V squared_way = squaredLength (way);
+        const V climb = dot (up, way);
+        const V level =
+            hn::Sqrt (hn::Max (set (0.f), hn::NegMulAdd (climb, climb, squared_way)));
+        V stretched = slope;
+        stretched = hn::IfThenElse (
+            hn::Le (hn::Abs (climb), same_height), level_slope, stretched);
+        stretched = hn::IfThenElse (
+            hn::Le (level, same_place), hn::Max (stretched, upright_slope), stretched);
         const V far = hn::Max (hn::MulAdd (stretched, range, noise), least);
-        const Mask is_close = hn::Le (squaredLength (way), hn::Mul (far, far));
+        const Mask is_close = hn::Le (squared_way, hn::Mul (far, far));
         storeBytes (intOf (is_close, 1), links + i);
       };
       storeLinks (load (row, i - 1), to_left);

@@ -17,9 +17,9 @@ namespace rgbd_planes {
 namespace {
 
 /** How far apart neighbours may be on a surface, in widths of a pixel: slopes stretch it. That of
- * level surfaces, such as tops of boxes, is known. */
+ * level and upright surfaces, such as tops and sides of boxes, is known. */
 constexpr float stretch = 3.f;
-constexpr float level_stretch = 1.5f;
+constexpr float known_stretch = 1.5f;
 
 } // namespace
 
@@ -60,7 +60,7 @@ ObjectClusters::linkLimit() const
   return {stretch * pixel_angle_,
           parameters_.cluster_tolerance,
           parameters_.noise,
-          level_stretch * pixel_angle_,
+          known_stretch * pixel_angle_,
           bases_.back()->plane.normal};
 }
 

@@ -121,6 +121,23 @@ TEST (ObjectClusters, SidesSeenFromStraightAboveAreNoObjects)
   }
 }
 
+TEST (ObjectClusters, TallSidesSeenFromAboveAreOfTheirBoxes)
+{
+  // Neighbours on one side are up to 5 cm apart.
+  for (const float roll : {0.f, 1.57f}) {
+    const Camera camera{1.6f, 1.4f, roll};
+    std::vector<Box> boxes{floor_slab, {{0.1f, 0.f, 0.66f}, {0.8f, 1.f, 0.04f}}};
+    for (const float x : {-0.1f, 0.25f})
+      for (const float y : {-0.18f, 0.f, 0.18f})
+        boxes.push_back (onTable (x, y, {0.06f, 0.08f, 0.2f}, 0.3f + x));
+    const View view = look (boxes, camera, 1.f);
+    const Objects objects = extract (view);
+    EXPECT_EQ (objects.size(), 6u) << roll;
+    for (int box = 2; box < 8; ++box)
+      EXPECT_GT (bestIou (objects, view, box), 0.8) << roll << ' ' << box;
+  }
+}
+
 TEST (ObjectClusters, WhatStandsBehindATopIsAnother)
 {
   const Box front{{1.6f, 0.f, 0.7f}, {0.1f, 0.1f, 0.1f}};
