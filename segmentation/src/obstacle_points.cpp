@@ -14,7 +14,7 @@ namespace rgbd_planes {
 
 namespace {
 
-constexpr int cells_in_row = 160;
+constexpr int cells_along = 160;
 
 /** Where a plane that differs begins, noise alone decides which points are on it: samples
  * of it are higher than that above the floor. */
@@ -63,6 +63,13 @@ isHigh (float height, float variance, const ObstaclePointParameters& parameters)
          (height * height > square (high_sigmas) * variance);
 }
 
+/** The pixel in the middle of a cell of \a size pixels, of which the last may be missing. */
+int
+middle (int cell, int size, int pixels)
+{
+  return std::min (cell * size + size / 2, pixels - 1);
+}
+
 } // namespace
 
 void
@@ -71,7 +78,7 @@ ObstaclePoints::start (const ObstacleFrame& frame,
 {
   parameters_ = parameters;
   width_ = frame.points.width;
-  cell_size_ = std::max (width_ / cells_in_row, 1);
+  cell_size_ = std::max (std::max (width_, frame.points.height) / cells_along, 1);
   cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
   const auto cells = padded (static_cast<std::size_t> (cells_u_) + 2);
   clear (columns_, cells * static_cast<std::size_t> (cell_size_));
@@ -113,7 +120,7 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
   const int cell_v = v / cell_size_;
   CellRow& cells = cellRow (cell_v);
   const bool is_last = v == frame.points.height - 1;
-  if (v % cell_size_ == 0)
+  if (v == middle (cell_v, cell_size_, frame.points.height))
     sampleRow (frame, first, cells);
   if (v % cell_size_ < cell_size_ - 1 && !is_last)
     return std::max (cell_v - 1, 0) * cell_size_;
@@ -171,7 +178,7 @@ ObstaclePoints::sampleRow (const ObstacleFrame& frame,
            sample_sigmas * std::sqrt (heightVariance (p, floor[3], parameters_.noise));
   };
   for (int cell = 0; cell < cells_u_; ++cell) {
-    const int u = cell * cell_size_;
+    const int u = middle (cell, cell_size_, width_);
     cells.differ[cell + 1] =
         row_[u] == ObstacleClass::floor && differs (first + u) ? 1.f : 0.f;
   }

@@ -15,13 +15,19 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-// In parts of the width of the image:
+// In parts of the longer side of the image:
 /** The most that an edge lacks depth. */
 constexpr int gaps = 100;
 /** The most that is between two clusters. */
 constexpr int ways = 10;
 /** Pixels at a step that may belong to either side. */
 constexpr int uncertainties = 160;
+
+int
+longerSide (const OrganizedPoints& points)
+{
+  return std::max (points.width, points.height);
+}
 
 bool
 alongRow (std::ptrdiff_t up)
@@ -102,8 +108,8 @@ bool
 OcclusionSteps::findFront (OcclusionStep& step) const
 {
   const std::ptrdiff_t up = extents_[step.behind].up;
-  const auto front =
-      nextCluster (step.lowest, -up, static_cast<std::size_t> (points_.width / ways));
+  const auto front = nextCluster (
+      step.lowest, -up, static_cast<std::size_t> (longerSide (points_) / ways));
   if (!front)
     return false;
   step.front = front->cluster;
@@ -134,7 +140,7 @@ OcclusionSteps::nextCluster (std::uint32_t point,
 float
 OcclusionSteps::rangeFrom (std::uint32_t i, std::ptrdiff_t step, bool farthest) const
 {
-  const int count = std::max (points_.width / uncertainties, 2);
+  const int count = std::max (longerSide (points_) / uncertainties, 2);
   float range = squaredRange (points_[i]);
   std::uint32_t k = i;
   for (int n = 1; n < count; ++n) {
@@ -150,7 +156,7 @@ OcclusionSteps::rangeFrom (std::uint32_t i, std::ptrdiff_t step, bool farthest) 
 std::size_t
 OcclusionSteps::maxGap() const
 {
-  return static_cast<std::size_t> (points_.width / gaps);
+  return static_cast<std::size_t> (longerSide (points_) / gaps);
 }
 
 } // namespace rgbd_planes

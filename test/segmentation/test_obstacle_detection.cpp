@@ -75,6 +75,50 @@ TEST (ObstacleDetection, WhatDoesNotStickOutButIsTurnedIsAnObstacle)
   }
 }
 
+/** Rotated cameras: the image is upside down, or its rows are its columns. */
+TEST (ObstacleDetection, DoesNotDependOnWhichSideOfTheImageIsUp)
+{
+  FloorScene scene (only_floor + a_box, pose, 480, kinectSigma);
+  const Eigen::Vector3f turned = Eigen::AngleAxisf (0.9f, Eigen::Vector3f::UnitX()) *
+                                 Eigen::Vector3f (scene.planes[0].values.data());
+  for (std::uint32_t v = 200; v < 240; ++v)
+    for (std::uint32_t u = 50; u < 91; ++u)
+      (*scene.normals) (u, v).getNormalVector3fMap() = turned;
+  const Result upright = detect (scene);
+  EXPECT_GT (upright.count (ObstacleClass::obstacle), 2000u);
+
+  FloorScene rotated (only_floor, pose, 480);
+  rotated.cloud = scene.cloud->makeShared();
+  rotated.normals = scene.normals->makeShared();
+  rotated.labels = scene.labels->makeShared();
+  rotated.planes = scene.planes;
+  std::reverse (rotated.cloud->begin(), rotated.cloud->end());
+  std::reverse (rotated.normals->begin(), rotated.normals->end());
+  std::reverse (rotated.labels->begin(), rotated.labels->end());
+  const Result upside_down = detect (rotated);
+  const std::uint32_t width = scene.cloud->width, height = scene.cloud->height;
+  const auto turn = [&] (const auto& image, auto& portrait) {
+    portrait.width = height;
+    portrait.height = width;
+    for (std::uint32_t v = 0; v < height; ++v)
+      for (std::uint32_t u = 0; u < width; ++u)
+        portrait (v, u) = image (u, v);
+  };
+  turn (*scene.cloud, *rotated.cloud);
+  turn (*scene.normals, *rotated.normals);
+  turn (*scene.labels, *rotated.labels);
+  const Result portrait = detect (rotated);
+  std::size_t others_upside_down = 0, others_in_portrait = 0;
+  for (std::uint32_t v = 0; v < height; ++v)
+    for (std::uint32_t u = 0; u < width; ++u) {
+      const std::size_t i = std::size_t{v} * width + u;
+      others_upside_down += upright[i] != upside_down[width * height - 1 - i];
+      others_in_portrait += upright[i] != portrait[std::size_t{u} * height + v];
+    }
+  EXPECT_EQ (others_upside_down, 0u);
+  EXPECT_EQ (others_in_portrait, 0u);
+}
+
 /** As windows have that reach over the border of a thing. */
 TEST (ObstacleDetection, TurnedNormalsOfTheFloorBesideAThingAreNoObstacle)
 {

@@ -76,8 +76,8 @@ struct CellVerdicts {
  * it is near, or where it meets the floor in the image, is another level: its points are
  * obstacles or drop-offs, also those that noise moves near to the floor.
  *
- * The points around a point are those of 3 x 3 cells of an image of 160 cells in a row,
- * each of 4 x 4 pixels in VGA.
+ * The points around a point are those of 3 x 3 cells of an image of 160 cells along its
+ * longer side, each of 4 x 4 pixels in VGA.
  */
 class PCL_RGBD_PLANES_EXPORTS ObstaclePoints {
 public:
