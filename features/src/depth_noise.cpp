@@ -51,6 +51,14 @@ errorOfRectangle (const OrganizedPoints& points,
          sigma;
 }
 
+/** Less the range in which depth tells nothing. */
+DepthNoise
+withinItsLimit (DepthNoise noise)
+{
+  noise.max_range = std::min (noise.max_range, max_noise_share / noise.quadratic);
+  return noise;
+}
+
 } // namespace
 
 DepthNoise
@@ -58,8 +66,7 @@ noiseIn (const OrganizedPoints& points,
          const std::vector<std::uint8_t>& selected,
          const DepthNoise& noise)
 {
-  DepthNoise result = noise;
-  result.max_range = std::min (noise.max_range, max_noise_share / noise.quadratic);
+  DepthNoise result = withinItsLimit (noise);
   if (!noise.is_least)
     return result;
   const auto width = static_cast<std::size_t> (points.width),
@@ -92,7 +99,7 @@ noiseIn (const OrganizedPoints& points,
     return result;
   const auto median = errors.begin() + (end - errors.begin()) / 2;
   std::nth_element (errors.begin(), median, end);
-  result = result.times (std::max (1.f, *median / median_size));
+  result = withinItsLimit (result.times (std::max (1.f, *median / median_size)));
   result.is_least = false;
   return result;
 }

@@ -34,8 +34,8 @@ struct DepthNoise {
   float constant = 0.001f;
   /** In metres at a range of 1 m. */
   float quadratic = 0.002f;
-  /** Points further away are not used, in metres; nor are those where the standard deviation is
-   * more than a tenth of the range (noiseIn()). */
+  /** Points further away are not used, in metres; nor are those where the quadratic part
+   * of the noise is more than a tenth of the range (noiseIn()). */
   float max_range = std::numeric_limits<float>::infinity();
   /** Whether frames may have more: see noiseIn(). */
   bool is_least = false;
@@ -151,8 +151,8 @@ struct DepthNoise {
  * two opposite corners less that at the other two, which is 0 on planes and on cylinders along
  * the image, divided by the standard deviation that \a noise predicts for it. Errors that are
  * smooth over an eightieth of the image's longer side are not seen. Where fewer than a hundred
- * rectangles have all their corners, the noise is taken for the least. Depth whose noise is more
- * than a tenth of the range is beyond the range of the result.
+ * rectangles have all their corners, the noise is taken for the least. Depth of which
+ * the quadratic part of the noise is more than a tenth is beyond the range of the result.
  *
  * \param[in] selected not 0 for the points to look at; empty for all
  */
