@@ -54,5 +54,20 @@ readTumList (const std::filesystem::path& list)
   return result;
 }
 
+std::vector<std::filesystem::path>
+otherTumFiles (const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  for (const char* name : {"rgb.txt", "accelerometer.txt", "groundtruth.txt"})
+    if (std::filesystem::exists (folder / name))
+      files.push_back (folder / name);
+  std::ifstream list (folder / "rgb.txt");
+  std::string line, timestamp, image;
+  while (std::getline (list, line))
+    if (std::istringstream (line) >> timestamp >> image && timestamp[0] != '#')
+      files.push_back (folder / image);
+  return files;
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

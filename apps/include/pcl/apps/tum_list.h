@@ -23,5 +23,9 @@ struct TumList {
 TumList
 readTumList (const std::filesystem::path& list);
 
+/** \brief The files of a TUM RGB-D folder that are not about depth, as far as they are known. */
+std::vector<std::filesystem::path>
+otherTumFiles (const std::filesystem::path& folder);
+
 } // namespace rgbd_planes
 } // namespace pcl
