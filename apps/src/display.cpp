@@ -84,7 +84,10 @@ provideDisplay ()
   int number_pipe[2];
   if (::pipe (number_pipe) != 0)
     throw AppError ("cannot open a pipe; close other programs");
-  if (::fork() == 0)
+  const pid_t child = ::fork();
+  if (child < 0)
+    throw AppError ("cannot start Xvfb; close other programs");
+  if (child == 0)
     becomeServer (number_pipe[1]);
   ::close (number_pipe[1]);
   std::string number;

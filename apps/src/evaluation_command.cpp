@@ -87,8 +87,11 @@ runEvaluation (const EvaluationCommand& command,
   const std::vector<FrameSource> sources (command.inputs.begin(), command.inputs.end());
   catchInterruption();
   OutputFiles files;
-  for (const auto& source : sources)
+  for (const auto& source : sources) {
     files.protect (source.files());
+    if (!before.empty())
+      source.refusePipes();
+  }
   if (command.values.count ("corrected"))
     files.protect ({command.values["corrected"].as<std::string>()});
   // An unwritable place is known before the work is done.

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/app_error.h>
+#include <pcl/apps/depth_camera.h>
 #include <pcl/apps/frame_files.h>
 #include <pcl/apps/frame_slot.h>
 #include <pcl/apps/frame_source.h>
@@ -18,13 +19,9 @@
 #include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <system_error>
-#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -34,42 +31,6 @@ namespace rgbd_planes {
 namespace {
 
 constexpr char simulated[] = "sim:";
-
-struct DepthCamera {
-  Intrinsics intrinsics;
-  float units_per_metre;
-  /** The intrinsics are a guess that holds for 640 x 480 only. */
-  bool guessed;
-  /** Whether it was told that they seem to be those of other images. */
-  std::shared_ptr<bool> doubt_is_told;
-};
-
-pcl::PointCloud<pcl::PointXYZRGB>::Ptr
-readDepthImage (const fs::path& file, const DepthCamera& camera)
-{
-  const DepthImage image = readDepthPng (file);
-  const std::string size = file.string() + ": has " + std::to_string (image.width) +
-                           " x " + std::to_string (image.height) + " pixels, ";
-  if (camera.guessed && (image.width != 640 || image.height != 480))
-    throw AppError (size +
-                    "for which no camera is known: add --intrinsics fx,fy,cx,cy");
-  const auto& [fx, fy, cx, cy] = camera.intrinsics;
-  // How far the principal point is from the middle, in sizes of the image.
-  const auto distance = [] (float center, std::uint32_t pixels) {
-    return std::fabs ((center + 0.5f) / static_cast<float> (pixels) - 0.5f);
-  };
-  const float off = std::max (distance (cx, image.width), distance (cy, image.height));
-  if (off > 1.f)
-    throw AppError (size +
-                    "far from which the principal point of --intrinsics is: give "
-                    "fx,fy,cx,cy of these images");
-  if (off > 0.2f && !std::exchange (*camera.doubt_is_told, true))
-    printNotice (size +
-                 "far from whose middle the principal point of --intrinsics is: give "
-                 "fx,fy,cx,cy of these images in full, unless they are parts of larger "
-                 "ones");
-  return toCloud (image, camera.intrinsics, camera.units_per_metre);
-}
 
 struct PngFiles {
   std::vector<fs::path> depth_images;
@@ -86,22 +47,6 @@ listPngFiles (const fs::path& folder)
         return !fs::is_regular_file (file) || !isOtherPng (file);
       });
   return {{files.begin(), pictures}, {pictures, files.end()}};
-}
-
-/** What a TUM RGB-D folder has beside depth. */
-std::vector<fs::path>
-tumFiles (const fs::path& folder)
-{
-  std::vector<fs::path> files;
-  for (const char* name : {"rgb.txt", "accelerometer.txt", "groundtruth.txt"})
-    if (fs::exists (folder / name))
-      files.push_back (folder / name);
-  std::ifstream list (folder / "rgb.txt");
-  std::string line, timestamp, image;
-  while (std::getline (list, line))
-    if (std::istringstream (line) >> timestamp >> image && timestamp[0] != '#')
-      files.push_back (folder / image);
-  return files;
 }
 
 void
@@ -153,6 +98,17 @@ FrameSource::folders() const
     if (fs::exists (file, error))
       folders.insert (file.parent_path() / ".");
   return folders;
+}
+
+void
+FrameSource::refusePipes() const
+{
+  std::error_code error; // of URIs of cameras
+  for (const auto& file : files_)
+    if (fs::is_fifo (file, error))
+      throw AppError (file.string() +
+                      ": a pipe can be read only once, and this reads all frames more "
+                      "than once; give a file");
 }
 
 Frame
@@ -298,7 +254,7 @@ FrameSource::addTumFolder (const fs::path& folder)
   options_.units_per_metre = options_.units_per_metre.value_or (5000.f);
   const DepthCamera camera{
       *options_.intrinsics, *options_.units_per_metre, guessed, camera_doubt_is_told_};
-  files_ = tumFiles (folder);
+  files_ = otherTumFiles (folder);
   files_.push_back (list);
   for (const auto& [time, path] : images) {
     files_.push_back (path);

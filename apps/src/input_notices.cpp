@@ -4,7 +4,7 @@
 #include <pcl/apps/fit_camera.h>
 #include <pcl/apps/input_notices.h>
 #include <pcl/apps/statistics.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_cloud_view.h>
 
 #include <boost/format.hpp>
 
@@ -22,6 +22,8 @@ isInCameraFrame (const pcl::PointCloud<pcl::PointXYZRGB>& cloud)
 {
   constexpr float max_distortion = 0.1f; // in widths and heights of the image
   const Intrinsics camera = fitCamera (cloud);
+  if (camera.fx < 0.f || camera.fy < 0.f)
+    return false;
   std::size_t measured = 0, seen = 0;
   for (std::uint32_t v = 0; v < cloud.height; ++v)
     for (std::uint32_t u = 0; u < cloud.width; ++u) {
@@ -58,17 +60,22 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
   points_out_of_range_ += count ([&] (float squared_range) {
     return squared_range > options_.depth_noise.maxSquaredRange();
   });
+  const float max_squared_range =
+      noiseIn (viewPoints (cloud), {}, options_.depth_noise).maxSquaredRange();
+  points_too_noisy_ += count ([&] (float squared_range) {
+    return squared_range > max_squared_range &&
+           squared_range <= options_.depth_noise.maxSquaredRange();
+  });
   unmeasured_frames_ += measured == 0;
   constexpr float nearest = 0.01f, farthest = 100.f; // of what depth cameras see
   const bool is_too_near = 2 * count ([] (float squared_range) {
                              return squared_range < nearest * nearest;
                            }) >
                            measured;
-  // NormalSpacePlaneSegmentation tells of planes there.
-  const bool is_too_far =
-      summary.planes.empty() && 2 * count ([] (float squared_range) {
-                                  return squared_range > farthest * farthest;
-                                }) > measured;
+  const bool is_too_far = 2 * count ([] (float squared_range) {
+                            return squared_range > farthest * farthest;
+                          }) >
+                          measured;
   if (is_too_near || is_too_far)
     ++frames_out_of_scale_;
   else
@@ -94,18 +101,27 @@ InputNotices::addWarp (const pcl::PointCloud<pcl::Intensity>& warp)
 std::vector<std::string>
 InputNotices::lines() const
 {
-  constexpr double max_percent_out_of_range = 10.;
+  constexpr double max_percent_left_out = 10.;
   std::vector<std::string> lines;
-  const double out_of_range =
-      percentOf (points_out_of_range_, std::max<std::size_t> (measured_points_, 1));
-  if (out_of_range > max_percent_out_of_range &&
-      std::isfinite (options_.depth_noise.max_range))
+  const auto percent = [this] (std::size_t points) {
+    return percentOf (points, std::max<std::size_t> (measured_points_, 1));
+  };
+  const DepthNoise& noise = options_.depth_noise;
+  if (percent (points_out_of_range_) > max_percent_left_out)
     lines.push_back (
         (boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
                         "%.1f m of this sensor and are left out; %g,%g,%g is the same "
                         "noise without a limit") %
-         out_of_range % options_.depth_noise.max_range % options_.depth_noise.constant %
-         options_.depth_noise.quadratic % options_.depth_noise.normal_scatter)
+         percent (points_out_of_range_) % noise.max_range % noise.constant %
+         noise.quadratic % noise.normal_scatter)
+            .str());
+  if (percent (points_too_noisy_) > max_percent_left_out)
+    lines.push_back (
+        (boost::format (
+             "--depth-noise: %.0f %% of the measured points have noise of more "
+             "than a tenth of their range and are left out; figures are in "
+             "metres, 0.001,0.002 for 1 mm + 2 mm z^2") %
+         percent (points_too_noisy_))
             .str());
   if (unmeasured_frames_ > 0)
     lines.push_back (

@@ -62,8 +62,12 @@ OutputFiles::createFolder (const fs::path& folder)
   if (folder.empty())
     throw AppError ("'': is no name of a folder to write to; give one");
   std::error_code error;
-  if (fs::is_directory (folder, error))
+  if (fs::is_directory (folder, error)) {
+    if (::access (folder.c_str(), W_OK | X_OK) != 0)
+      throw AppError (folder.string() + ": cannot write to this folder: " +
+                      std::strerror (errno) + "; choose another one");
     return;
+  }
   if (folder.has_parent_path() && folder.parent_path() != folder)
     createFolder (folder.parent_path());
   if (folder.has_filename() && fs::create_directory (folder, error))

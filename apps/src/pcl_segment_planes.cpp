@@ -213,6 +213,8 @@ segmentPlanes (int argc, char** argv)
   catchInterruption();
   OutputFiles files;
   files.protect (source.front().files());
+  if (options->corrected && options->corrected->source == WarpSource::camera)
+    source.front().refusePipes();
   if (options->corrected)
     files.protect ({options->corrected->file});
   prepareOutput (*options, source.front(), files);

@@ -73,6 +73,13 @@ TEST_F (SegmentCorrectedDepth, WarpsOfOddSizesFitAllResolutions)
   }
 }
 
+TEST_F (SegmentCorrectedDepth, FramesOfAPipeTellNoWarpOfTheCamera)
+{
+  ASSERT_EQ (shell ("mkfifo frame.pcd").code, 0);
+  expectRefused ("frame.pcd --corrected camera",
+                 "frame.pcd: a pipe can be read only once");
+}
+
 TEST_F (SegmentCorrectedDepth, RefusesWhatIsNoWarpOfTheCamera)
 {
   ASSERT_EQ (

@@ -126,6 +126,8 @@ TEST_F (SegmentUsage, CloudsInOtherFramesThanTheCamerasAreTold)
   const std::map<std::string, Eigen::Affine3f> frames{
       {"camera", Eigen::Affine3f::Identity()},
       {"opengl", Eigen::Affine3f (mirror)},
+      {"kinect_v2", Eigen::Affine3f (Eigen::Scaling (-1.f, -1.f, 1.f))},
+      {"x_to_the_left", Eigen::Affine3f (Eigen::Scaling (-1.f, 1.f, 1.f))},
       {"forward", Eigen::Affine3f (to_forward)},
       {"robot", scene.camera_to_base}};
   for (const auto& [name, transform] : frames) {
@@ -165,6 +167,18 @@ TEST_F (SegmentUsage, SensorsSeeAsFarAsTheirNoiseSays)
                                          : "--depth-noise: 50 % of the measured points";
     EXPECT_EQ (result.err.find (share) != std::string::npos, walls < 2) << result.err;
   }
+}
+
+TEST_F (SegmentUsage, NoiseInMillimetresIsTold)
+{
+  writeTwoWalls ("walls.png");
+  const Outcome result = run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale "
+                              "250 --depth-noise 1,2");
+  EXPECT_EQ (result.code, 0) << result.err;
+  EXPECT_EQ (result.err,
+             "pcl_segment_planes: --depth-noise: 100 % of the measured points have "
+             "noise of more than a tenth of their range and are left out; figures are "
+             "in metres, 0.001,0.002 for 1 mm + 2 mm z^2\n");
 }
 
 TEST_F (SegmentUsage, BadUsageIsRefused)

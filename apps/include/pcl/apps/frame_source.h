@@ -104,6 +104,10 @@ public:
   std::set<std::filesystem::path>
   folders () const;
 
+  /** \brief Throws AppError where one of files() is a pipe: for those who read frames twice. */
+  void
+  refusePipes () const;
+
   /** \brief When frame \a i was recorded, seconds; only TUM RGB-D folders know. */
   std::optional<double>
   time (std::size_t i) const
