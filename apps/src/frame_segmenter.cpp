@@ -15,22 +15,29 @@ namespace rgbd_planes {
 
 namespace {
 
+/** \param[in] camera_to_base nothing where it is a guess */
 PlaneSummary
 summarize (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
            const pcl::ModelCoefficients& model,
-           const pcl::Indices& inliers)
+           const pcl::Indices& inliers,
+           const std::optional<Eigen::Affine3f>& camera_to_base)
 {
   PlaneSummary plane;
   std::copy_n (model.values.begin(), 4, plane.coefficients.begin());
   plane.points = inliers.size();
   const auto& [a, b, c, d] = plane.coefficients;
   double squares = 0.;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const auto index : inliers) {
     const auto& p = cloud[static_cast<std::size_t> (index)];
     const double distance = a * p.x + b * p.y + c * p.z + d;
     squares += distance * distance;
+    sum += p.getVector3fMap().cast<double>();
   }
-  plane.rms = std::sqrt (squares / static_cast<double> (inliers.size()));
+  const auto points = static_cast<double> (inliers.size());
+  plane.rms = std::sqrt (squares / points);
+  plane.plane_class = planeClass (
+      Eigen::Vector3d (plane.coefficients.data()), sum / points, camera_to_base);
   return plane;
 }
 
@@ -49,16 +56,17 @@ minInliers (const SegmenterOptions& options, std::size_t pixels)
 }
 
 std::string
-planeClass (const std::array<double, 4>& coefficients,
+planeClass (const Eigen::Vector3d& normal,
+            const Eigen::Vector3d& centroid,
             const std::optional<Eigen::Affine3f>& camera_to_base)
 {
   if (!camera_to_base)
     return "unknown";
   const double min_cosine = std::cos (0.26), max_floor_height = 0.05;
   const Eigen::Vector3d up = camera_to_base->linear().row (2).cast<double>();
-  const double rise = up.dot (Eigen::Vector3d (coefficients.data()));
+  const double rise = up.dot (normal);
   if (rise > min_cosine) {
-    const double height = camera_to_base->translation().z() - coefficients[3] / rise;
+    const double height = camera_to_base->translation().z() + up.dot (centroid);
     return std::fabs (height) <= max_floor_height ? "floor" : "table";
   }
   return rise < -min_cosine                                            ? "ceiling"
@@ -84,6 +92,11 @@ FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
   segmentation_.setDepthNoise (options.depth_noise);
   extraction_.setDepthNoise (options.depth_noise);
   detection_.setDepthNoise (options.depth_noise);
+  extraction_.setSplitAtConcaveEdges (true);
+  ScanLimits all_around;
+  all_around.angle_min = -static_cast<float> (M_PI);
+  all_around.angle_max = static_cast<float> (M_PI);
+  detection_.setScanLimits (all_around);
   if (options.corrected_points)
     expectCorrectedPoints (segmentation_);
 }
@@ -128,9 +141,7 @@ FrameSegmenter::segment (const Frame& frame)
       isKnown (summary.pose) ? summary.camera_to_base : std::nullopt;
   for (std::size_t id = 0; id < inliers_.size(); ++id) {
     summary.planes.push_back (
-        summarize (cloud, coefficients_[id], inliers_[id].indices));
-    summary.planes.back().plane_class =
-        planeClass (summary.planes.back().coefficients, known_pose);
+        summarize (cloud, coefficients_[id], inliers_[id].indices, known_pose));
     summary.labelled_points += inliers_[id].indices.size();
   }
   return summary;
@@ -157,12 +168,10 @@ void
 FrameSegmenter::findObjects (const Frame& frame, FrameSummary& summary)
 {
   const Stopwatch watch;
-  if (summary.camera_to_base)
-    extraction_.setCameraToBase (*summary.camera_to_base);
+  extraction_.setCameraToBase (summary.camera_to_base.value_or (defaultCameraToBase()));
   const auto [lowest_m, highest_m] = planeHeights (isKnown (summary.pose));
   extraction_.setPlaneHeights (lowest_m, highest_m);
   extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
-  extraction_.setSplitAtConcaveEdges (true);
   extraction_.setInputCloud (frame.cloud);
   extraction_.setInputNormals (normals_);
   extraction_.extract (coefficients_, inliers_, objects_);

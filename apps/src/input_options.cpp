@@ -5,6 +5,7 @@
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/common/angles.h>
+#include <pcl/filters/camera_pose.h>
 #include <pcl/simulation/simulate.h>
 
 #include <boost/algorithm/string/join.hpp>
@@ -140,7 +141,8 @@ inputOptionsDescription ()
       "names say of frames of any size, also in tables") (
       "frames",
       po::value<std::string>()->value_name ("N"),
-      "stop after N frames; without, a live camera gives one, but plays on in a "
+      "stop after N frames of each INPUT; without, a live camera gives one, but plays "
+      "on in a "
       "window");
   return description;
 }
@@ -167,13 +169,11 @@ parseBaseTransform (const std::string& text)
   const auto turn = [] (float degrees, const Eigen::Vector3f& axis) {
     return Eigen::AngleAxisf (pcl::deg2rad (degrees), axis).toRotationMatrix();
   };
-  Eigen::Matrix3f optical_to_forward;
-  optical_to_forward << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
   Eigen::Affine3f transform = Eigen::Affine3f::Identity();
   transform.translation() << v[0], v[1], v[2];
-  transform.linear() = turn (v[5], Eigen::Vector3f::UnitZ()) *
-                       turn (v[4], Eigen::Vector3f::UnitY()) *
-                       turn (v[3], Eigen::Vector3f::UnitX()) * optical_to_forward;
+  transform.linear() =
+      turn (v[5], Eigen::Vector3f::UnitZ()) * turn (v[4], Eigen::Vector3f::UnitY()) *
+      turn (v[3], Eigen::Vector3f::UnitX()) * defaultCameraToBase().linear();
   return transform;
 }
 

@@ -155,8 +155,8 @@ ObjectComparison::table() const
                all = counts (e.all());
     text +=
         (boost::format (
-             "%-15s %-5s %9.2f %7d %7s %7s %9d %7s %7s %11s %7s %10d %6d %10s %6s\n") %
-         result.method % result.resolution % median (result.milliseconds) %
+             "%-15s %-5s %9s %7d %7s %7s %9d %7s %7s %11s %7s %10d %6d %10s %6s\n") %
+         result.method % result.resolution % cell (median (result.milliseconds)) %
          e.apart.objects % apart.first % apart.second % e.touching.objects %
          touching.first % touching.second % all.first % all.second % e.all().in_pieces %
          e.false_objects % cell (percentOf (e.graspable_right, e.sized)) %

@@ -77,7 +77,7 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
   for (std::size_t k = 0; k < objects.size(); ++k)
     for (const auto i : objects[k].object.indices.indices)
       picture[static_cast<std::size_t> (i)] =
-          planeColour (static_cast<std::uint32_t> (k));
+          planeColour (static_cast<std::uint32_t> (k + 1)); // 0 is red, as lines are
   LineDrawer lines (fitCamera (cloud), picture);
   for (const auto& support : supports)
     if (!support.is_on_object)

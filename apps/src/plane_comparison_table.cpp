@@ -27,8 +27,8 @@ class Row {
 public:
   explicit Row (const PlaneResult& result)
   {
-    text_ << std::fixed << std::left << std::setw (16) << result.method << std::setw (5)
-          << result.resolution << std::right;
+    text_ << std::fixed << std::left << std::setw (15) << result.method << ' '
+          << std::setw (5) << result.resolution << std::right;
   }
 
   Row&

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -42,6 +44,24 @@ TEST (FrameSummary, NeedsNoIndicesForItsReports)
     EXPECT_EQ (summary.object.indices.indices.capacity(), 0u);
   for (const auto& summary : obstacles)
     EXPECT_EQ (summary.obstacle.indices.capacity(), 0u);
+}
+
+/** Not by where it meets the ground below the camera. */
+TEST (FrameSummary, HorizontalPlanesAreFloorOrTableByTheirPoints)
+{
+  Eigen::Affine3f pose = Eigen::Affine3f::Identity(); // x right, y down, z forward
+  pose.linear() << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
+  pose.translation().z() = 1.f;
+  const Eigen::Vector3d level (0., -1., 0.),
+      ramp (0., -std::cos (0.2), -std::sin (0.2));
+  EXPECT_EQ (planeClass (level, {0., 1.04, 2.}, pose), "floor");
+  EXPECT_EQ (planeClass (level, {0., 0.94, 2.}, pose), "table");
+  EXPECT_EQ (planeClass (ramp, {0., 1.02, 2.}, pose), "floor");
+  EXPECT_EQ (planeClass (ramp, {0., 1. - 2. * std::tan (0.2), 2.}, pose), "table");
+  EXPECT_EQ (planeClass (-level, {0., -2., 2.}, pose), "ceiling");
+  EXPECT_EQ (planeClass ({0., 0., -1.}, {0., 0., 2.}, pose), "wall");
+  EXPECT_EQ (planeClass ({0., -0.8, -0.6}, {0., 1., 2.}, pose), "slope");
+  EXPECT_EQ (planeClass (level, {0., 1., 2.}, std::nullopt), "unknown");
 }
 
 TEST (FrameSummary, AFrameWithoutPoseLeavesTheHeightsOfPlanesOfTheNextOne)

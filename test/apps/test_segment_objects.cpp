@@ -46,9 +46,9 @@ TEST_F (SegmentObjects, FindsTheObjectOfASimulatedTable)
   EXPECT_TRUE (frame["objects"][0]["graspable"]);
   EXPECT_GT (pixels (pcl::RGB (255, 255, 255)), 200u) << "the box";
   EXPECT_GT (pixels (planeColour (static_cast<std::uint32_t> (plane))),
-             (plane == 0 ? points : 0) + 500)
+             (plane == 1 ? points : 0) + 500)
       << "the hull";
-  EXPECT_GT (pixels (planeColour (0)), points * 8 / 10) << "the object";
+  EXPECT_GT (pixels (planeColour (1)), points * 8 / 10) << "the object";
 }
 
 TEST_F (SegmentObjects, ListOfObjectsAndJsonSayTheSame)

@@ -60,10 +60,12 @@ struct SegmenterOptions {
 unsigned
 minInliers (const SegmenterOptions& options, std::size_t pixels);
 
-/** \brief The kind of a plane a, b, c, d that faces the camera: floor, table (any other
- * horizontal surface), ceiling, wall or slope; "unknown" without a transform. */
+/** \brief The kind of a plane with a \a normal towards the camera and points around \a centroid,
+ * both in the camera frame: floor, table (any other horizontal surface), ceiling, wall or slope;
+ * "unknown" without a transform. */
 std::string
-planeClass (const std::array<double, 4>& coefficients,
+planeClass (const Eigen::Vector3d& normal,
+            const Eigen::Vector3d& centroid,
             const std::optional<Eigen::Affine3f>& camera_to_base);
 
 /** \brief Where a pose of the camera is from: an option, the simulation, a plane that is taken for
