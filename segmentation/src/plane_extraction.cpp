@@ -276,6 +276,8 @@ PlaneExtraction::finish (std::size_t width)
     order_.erase (end, order_.end());
     return dropped;
   };
+  // What StepSplit joined to another plane is left without points.
+  dropWhere ([&] (std::uint32_t k) { return moments_[k].points == 0; });
   rejections_.too_few_points += dropWhere ([&] (std::uint32_t k) {
     return sums[k].points < min_points ||
            !assignment_.weightedMoments()[k].determinePlane();

@@ -145,3 +145,19 @@ TEST_F (StepSplitTest, WithinALargerReachLowStepsAreNone)
   look ({board (near_depth, 0, 100), board (far_depth, 100, 160)}, 640, 6.f);
   EXPECT_EQ (planes_.size(), 1u);
 }
+
+/** The plane that missed them was tilted by the step. */
+TEST_F (StepSplitTest, SmallPlanesOnWhatIsLeftJoinIt)
+{
+  constexpr float recessed = 1.025f;
+  look ({board (near_depth, 0, 150),
+         board (recessed, 150, 600),
+         board (recessed, 620, 640)},
+        610);
+  ASSERT_EQ (moments_.size(), 3u);
+  EXPECT_EQ (ownerIn (30), 2);
+  EXPECT_EQ (ownerIn (400), 0);
+  EXPECT_EQ (ownerIn (630), 0);
+  EXPECT_EQ (moments_[1].points, 0u);
+  EXPECT_NEAR (planes_[0].d, recessed, 0.003f);
+}

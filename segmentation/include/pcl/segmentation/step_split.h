@@ -26,7 +26,8 @@ class PCL_RGBD_PLANES_EXPORTS StepSplit {
 public:
   /** \brief Takes the smaller side of a step from its plane, and of up to three steps from a
    * plane that fills much of the image. It goes to the other plane that it lies on, or becomes
-   * a new one, last in the list.
+   * a new one, last in the list. Small planes that lie on what is left of the plane join it, and
+   * stay in the list without samples.
    * \param[in] min_side the least number of samples on either side
    * \param[in] max_sigmas how far from its plane a point may lie, in standard deviations
    * \param[in,out] owners the plane of each sample, less than 0 for none
