@@ -15,8 +15,6 @@
 
 #include <pcl/segmentation/point_row.h>
 
-#include <type_traits>
-
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
 namespace rgbd_planes {
@@ -140,15 +138,7 @@ template <typename D>
 HWY_INLINE std::uint64_t
 bitsOf (D d, hn::Mask<D> mask)
 {
-  constexpr std::size_t lanes = hn::MaxLanes (D());
-  using Bits = std::conditional_t<
-      lanes <= 8,
-      std::uint8_t,
-      std::conditional_t<
-          lanes <= 16,
-          std::uint16_t,
-          std::conditional_t<lanes <= 32, std::uint32_t, std::uint64_t>>>;
-  Bits bits;
+  std::uint64_t bits = 0; // as many bytes as StoreMaskBits may write
   hn::StoreMaskBits (d, mask, reinterpret_cast<std::uint8_t*> (&bits));
   return bits;
 }

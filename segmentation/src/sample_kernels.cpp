@@ -111,7 +111,7 @@ claimPartHere (const PlaneSamples& samples,
   const std::size_t begin = tile * PlaneSamples::tile_size;
   unsigned result = 0;
   forEachVectorFrom (begin, [&] (std::size_t i) {
-    const auto bits = static_cast<std::uint16_t> (own >> (i - begin));
+    const std::uint64_t bits = std::uint64_t{own} >> (i - begin);
     const Mask is_own =
         hn::LoadMaskBits (Floats(), reinterpret_cast<const std::uint8_t*> (&bits));
     const Mask on =

@@ -3,50 +3,15 @@
 
 #pragma once
 
+#include <boost/align/aligned_allocator.hpp>
+
 #include <algorithm>
 #include <cstddef>
-#include <new>
 #include <tuple>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
-
-/** \brief Allocates at multiples of the longest vector, 64 bytes. */
-template <typename T>
-struct VectorAllocator {
-  using value_type = T;
-
-  VectorAllocator() = default;
-
-  template <typename U>
-  VectorAllocator (const VectorAllocator<U>&)
-  {}
-
-  T*
-  allocate (std::size_t number)
-  {
-    return static_cast<T*> (::operator new (number * sizeof (T), std::align_val_t{64}));
-  }
-
-  void
-  deallocate (T* elements, std::size_t)
-  {
-    ::operator delete (elements, std::align_val_t{64});
-  }
-
-  bool
-  operator== (const VectorAllocator&) const
-  {
-    return true;
-  }
-
-  bool
-  operator!= (const VectorAllocator&) const
-  {
-    return false;
-  }
-};
 
 /** \brief The channels of one row of an image: channel c is the array row[c], with
  * room in front of it and behind it. */
@@ -137,7 +102,9 @@ private:
   std::size_t channels_ = 0;
   std::size_t margin_ = 0;
   std::size_t stride_ = 0;
-  std::vector<T, VectorAllocator<T>> elements_;
+  /** At multiples of the longest vector. */
+  std::vector<T, boost::alignment::aligned_allocator<T, lanes * sizeof (float)>>
+      elements_;
 };
 
 } // namespace rgbd_planes
