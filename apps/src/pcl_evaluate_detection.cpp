@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
-#include <iostream>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace po = boost::program_options;
@@ -112,11 +112,11 @@ evaluateDetection (int argc, char** argv)
       },
       correction ? calibration (*correction) : FrameCallbacks());
   if (with_truth == 0)
-    std::cerr << "pcl_evaluate_detection: no truth in this input: only the rate is "
-                 "measured\n";
+    printNotice ("no truth in this input: only the rate is measured");
   else if (with_truth < frames)
-    std::cerr << "pcl_evaluate_detection: " << frames - with_truth << " of " << frames
-              << " frames have no truth: of them only the rate is measured\n";
+    printNotice (std::to_string (frames - with_truth) + " of " +
+                 std::to_string (frames) +
+                 " frames have no truth: of them only the rate is measured");
 }
 
 } // namespace

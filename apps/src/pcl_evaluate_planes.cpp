@@ -9,7 +9,7 @@
 
 #include <boost/program_options/value_semantic.hpp>
 
-#include <iostream>
+#include <string>
 
 namespace po = boost::program_options;
 
@@ -110,13 +110,13 @@ evaluatePlanes (int argc, char** argv)
       [&] { return planeComparisonJson (comparison.results()); },
       comparison.calibration());
   if (with_truth == 0)
-    std::cerr
-        << "pcl_evaluate_planes: no truth in this input: only times, coverage and "
-           "what is off are measured\n";
+    printNotice ("no truth in this input: only times, coverage and what is off are "
+                 "measured");
   else if (with_truth < frames)
-    std::cerr << "pcl_evaluate_planes: " << frames - with_truth << " of " << frames
-              << " frames have no truth: their planes count as found, but are neither "
-                 "correct nor noise; evaluate them apart\n";
+    printNotice (std::to_string (frames - with_truth) + " of " +
+                 std::to_string (frames) +
+                 " frames have no truth: their planes count as found, but are neither "
+                 "correct nor noise; evaluate them apart");
 }
 
 } // namespace

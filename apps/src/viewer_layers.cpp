@@ -8,6 +8,8 @@
 #include <pcl/segmentation/connected_parts.h>
 #include <pcl/segmentation/region_contour.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -98,14 +100,13 @@ addContours (const ViewerFrame& frame, float shade, std::vector<ColouredLine>& l
     if (part.pixels < frame.summary().min_inliers)
       continue;
     traceContour (labels, points.width, part.first, contour);
-    const Eigen::Vector4f plane (frame.segmenter().models()[part.label].values.data());
+    Eigen::Hyperplane<float, 3> plane;
+    plane.coeffs() =
+        Eigen::Vector4f (frame.segmenter().models()[part.label].values.data());
     ColouredLine line{darken (planeColour (frame.ids()[part.label]), shade), {}};
-    for (const auto i : contour) {
-      const Eigen::Vector3f p =
-          frame.cloud()[static_cast<std::size_t> (i)].getVector3fMap();
-      line.points.emplace_back (p -
-                                (plane.head<3>().dot (p) + plane[3]) * plane.head<3>());
-    }
+    for (const auto i : contour)
+      line.points.push_back (plane.projection (
+          frame.cloud()[static_cast<std::size_t> (i)].getVector3fMap()));
     line.points.push_back (line.points.front());
     lines.push_back (std::move (line));
   }

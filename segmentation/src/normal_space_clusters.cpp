@@ -11,7 +11,7 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Bounds the memory of the grid: 68 cells along each axis. */
+/** Bounds the memory of the grid: 67 cells along each axis. */
 constexpr float min_cell_size = 0.03f;
 
 /** The index of the cell of \a value in [0, 1]. */

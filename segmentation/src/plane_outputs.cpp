@@ -96,5 +96,21 @@ fillRms (const PlaneExtraction& extraction, std::vector<double>& rms)
                         static_cast<double> (moments[k].points));
 }
 
+bool
+areAllFarther (float range,
+               const Eigen::Vector3f& sensor,
+               const OrganizedPoints& points)
+{
+  bool is_any = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!isMeasured (points[i]))
+      continue;
+    is_any = true;
+    if ((Eigen::Map<const Eigen::Vector3f> (points[i]) - sensor).norm() <= range)
+      return false;
+  }
+  return is_any;
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

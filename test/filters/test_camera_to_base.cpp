@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "synthetic_clouds.h"
+
 #include <pcl/common/point_tests.h>
 #include <pcl/filters/camera_to_base.h>
 #include <pcl/point_types.h>
@@ -120,7 +122,9 @@ TEST (CameraToBase, InputMayBeTheOutput)
   cloud->header.stamp = 42;
   pcl::CameraToBase<pcl::PointNormal> filter;
   filter.setTransform (someTransform());
+  EXPECT_EQ (filter.getBaseFrame(), "base_link");
   filter.setBaseFrame ("robot");
+  EXPECT_EQ (filter.getBaseFrame(), "robot");
   filter.setInputCloud (cloud);
   Normals other;
   filter.filter (other);
@@ -229,19 +233,6 @@ TEST (CameraToBase, OnlyRigidTransformsAreTaken)
   }
 }
 
-/** A camera at this height, pitched down, rolled clockwise: its transform into a base
- * frame below it, x in its viewing direction. */
-Eigen::Affine3f
-cameraPose (float height, float pitch, float roll)
-{
-  Eigen::Matrix3f axes;
-  axes << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
-  Eigen::Affine3f pose (axes);
-  pose.rotate (Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()));
-  pose.prerotate (Eigen::AngleAxisf (pitch, Eigen::Vector3f::UnitY()));
-  return pose.pretranslate (Eigen::Vector3f (0.f, 0.f, height));
-}
-
 /** The plane z = 0 of the base frame in the camera frame. */
 Eigen::Vector4f
 floorSeenFrom (const Eigen::Affine3f& camera_to_base)
@@ -255,7 +246,7 @@ TEST (CameraToBase, AFloorTellsHeightAndTilt)
     for (const float pitch : {-0.5f, 0.f, 0.8f, 1.5f})
       for (const float roll : {-0.3f, 0.f, 0.1f})
         for (const float scale : {1.f, -1.f, 3.f, 1e-22f, 1e30f}) {
-          const Eigen::Affine3f truth = cameraPose (height, pitch, roll);
+          const Eigen::Affine3f truth = synthetic::cameraPose (height, pitch, roll);
           const Eigen::Vector4f floor = scale * floorSeenFrom (truth);
           pcl::ModelCoefficients model;
           model.values.assign (floor.data(), floor.data() + 4);

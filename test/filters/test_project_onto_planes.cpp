@@ -280,6 +280,15 @@ TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
   EXPECT_EQ (output.size(), 6u);
 }
 
+TEST (ProjectOntoPlanes, GivesBackItsDirection)
+{
+  using Projection = pcl::ProjectOntoPlanes<pcl::PointXYZ>;
+  Projection projection;
+  EXPECT_EQ (projection.getDirection(), Projection::Direction::viewing_ray);
+  projection.setDirection (Projection::Direction::normal);
+  EXPECT_EQ (projection.getDirection(), Projection::Direction::normal);
+}
+
 TEST (ProjectOntoPlanes, RayFactorsThatMakeNoSenseAreRefused)
 {
   pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;

@@ -7,7 +7,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <functional>
@@ -108,6 +108,18 @@ inline std::string
 dataFolder ()
 {
   return PCL_RGBD_PLANES_DATA;
+}
+
+/** A camera \a height above the floor, pitched down and rolled clockwise, radians. */
+inline Eigen::Affine3f
+cameraPose (float height, float pitch, float roll = 0.f)
+{
+  Eigen::Matrix3f axes;
+  axes << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
+  Eigen::Affine3f pose (axes);
+  pose.rotate (Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()));
+  pose.prerotate (Eigen::AngleAxisf (pitch, Eigen::Vector3f::UnitY()));
+  return pose.pretranslate (Eigen::Vector3f (0.f, 0.f, height));
 }
 
 } // namespace synthetic

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "synthetic_clouds.h"
+
 #include <pcl/ModelCoefficients.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -49,16 +51,13 @@ box (const Eigen::Vector3f& min, const Eigen::Vector3f& max)
   return faces;
 }
 
-/** A camera \a height above the floor, pitched down and rolled clockwise, radians. */
-inline Eigen::Affine3f
-cameraPose (float height, float pitch, float roll = 0.f)
+inline void
+addBox (const Eigen::Vector3f& min,
+        const Eigen::Vector3f& max,
+        std::vector<Patch>& patches)
 {
-  Eigen::Matrix3f axes;
-  axes << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
-  Eigen::Affine3f pose (axes);
-  pose.rotate (Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()));
-  pose.prerotate (Eigen::AngleAxisf (pitch, Eigen::Vector3f::UnitY()));
-  return pose.pretranslate (Eigen::Vector3f (0.f, 0.f, height));
+  for (const auto& face : box (min, max))
+    patches.push_back (face);
 }
 
 /** What a camera with the field of view of a Kinect sees of patches up to 8 m away, with

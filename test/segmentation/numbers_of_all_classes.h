@@ -35,8 +35,7 @@ public:
   {
     numbers_.clear();
     std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
-    for (const auto& face : synthetic::box ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.25f}))
-      patches.push_back (face);
+    synthetic::addBox ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.25f}, patches);
     const synthetic::FloorScene scene (patches,
                                        synthetic::cameraPose (0.8f, 0.45f),
                                        160,

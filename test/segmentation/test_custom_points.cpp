@@ -94,8 +94,7 @@ TEST (CustomPoints, LabelsBesidePointsLeaveThosePointsAsTheyAre)
 TEST (CustomPoints, GoThroughDetectionAndAllFilters)
 {
   std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
-  for (const auto& face : synthetic::box ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.3f}))
-    patches.push_back (face);
+  synthetic::addBox ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.3f}, patches);
   const synthetic::FloorScene scene (patches, synthetic::cameraPose (0.8f, 0.45f));
   auto cloud = pcl::make_shared<pcl::PointCloud<WarmPoint>>();
   pcl::copyPointCloud (*scene.cloud, *cloud);

@@ -38,8 +38,7 @@ struct Frame {
   patches ()
   {
     std::vector<synthetic::Patch> all{synthetic::floorAt (0.f)};
-    for (const auto& face : synthetic::box ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.25f}))
-      all.push_back (face);
+    synthetic::addBox ({1.2f, -0.1f, 0.f}, {1.5f, 0.2f, 0.25f}, all);
     return all;
   }
 

@@ -39,8 +39,7 @@ makeScene (std::uint32_t width)
 {
   std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
   const auto add = [&] (const Eigen::Vector3f& min, const Eigen::Vector3f& max) {
-    for (const auto& face : synthetic::box (min, max))
-      patches.push_back (face);
+    synthetic::addBox (min, max, patches);
   };
   add ({0.8f, -0.4f, 0.5f}, {1.4f, 0.4f, 0.55f});
   add ({0.9f, -0.3f, 0.55f}, {1.f, -0.2f, 0.65f});

@@ -40,8 +40,7 @@ makeScene (std::uint32_t width, int variant)
   const float shift = 0.02f * static_cast<float> (variant);
   std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
   const auto add = [&] (const Eigen::Vector3f& min, const Eigen::Vector3f& max) {
-    for (const auto& face : synthetic::box (min, max))
-      patches.push_back (face);
+    synthetic::addBox (min, max, patches);
   };
   add ({0.8f, -0.4f, 0.5f}, {1.4f, 0.4f, 0.55f});
   for (int k = 0; k <= variant; ++k) {

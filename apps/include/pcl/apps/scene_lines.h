@@ -4,7 +4,8 @@
 #pragma once
 
 #include <pcl/point_types.h>
-#include <pcl/segmentation/supported_object_extraction.h>
+#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/supported_object.h>
 
 #include <Eigen/Core>
 

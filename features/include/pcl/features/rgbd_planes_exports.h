@@ -3,8 +3,7 @@
 
 #pragma once
 
-// MSVC says 199711L in __cplusplus, whatever it compiles.
-#if defined(_MSVC_LANG) ? _MSVC_LANG < 201703L : __cplusplus < 201703L
+#if __cplusplus < 201703L
 #error "pcl_rgbd_planes needs C++17: compile with -std=c++17, also in CMAKE_CXX_FLAGS"
 #endif
 
@@ -12,11 +11,7 @@
 
 /** PCL's own PCL_EXPORTS is empty on Linux, so that consumers built with hidden
  * visibility would not find the instantiations in the library. */
-#if defined(__GNUC__)
 #define PCL_RGBD_PLANES_EXPORTS __attribute__ ((visibility ("default")))
-#else
-#define PCL_RGBD_PLANES_EXPORTS
-#endif
 
 namespace pcl {
 namespace rgbd_planes {

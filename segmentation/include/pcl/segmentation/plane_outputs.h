@@ -3,12 +3,15 @@
 
 #pragma once
 
+#include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PCLHeader.h>
 #include <pcl/PointIndices.h>
 #include <pcl/segmentation/connected_parts.h>
 #include <pcl/segmentation/plane_extraction.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +59,13 @@ private:
 /** \brief Root of the mean squared distance of the points of each plane to it, in metres. */
 PCL_RGBD_PLANES_EXPORTS void
 fillRms (const PlaneExtraction& extraction, std::vector<double>& rms);
+
+/** \brief Whether all measured \a points, of which there is one at least, are farther than
+ * \a range from \a sensor. */
+PCL_RGBD_PLANES_EXPORTS bool
+areAllFarther (float range,
+               const Eigen::Vector3f& sensor,
+               const OrganizedPoints& points);
 
 } // namespace rgbd_planes
 } // namespace pcl

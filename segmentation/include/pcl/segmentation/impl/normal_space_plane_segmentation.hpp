@@ -106,16 +106,9 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
         "[pcl::%s] There are no planes, for no normal has a length of 1: give unit "
         "normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
-  const rgbd_planes::OrganizedPoints points = rgbd_planes::viewPoints (*input_);
-  const Eigen::Vector3f sensor = sensor_origin_.head<3>();
-  bool are_far = false;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (rgbd_planes::isMeasured (points[i])) {
-      const Eigen::Map<const Eigen::Vector3f> point (points[i]);
-      are_far = (point - sensor).norm() > farther_than_any_room;
-      if (!are_far)
-        break;
-    }
+  const bool are_far = rgbd_planes::areAllFarther (farther_than_any_room,
+                                                   sensor_origin_.head<3>(),
+                                                   rgbd_planes::viewPoints (*input_));
   if (rgbd_planes::isFirstInARow (are_far, is_warned_of_range_))
     PCL_WARN (
         "[pcl::%s] All points are more than 100 m away: give points in metres, are "
