@@ -60,12 +60,6 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
   points_out_of_range_ += count ([&] (float squared_range) {
     return squared_range > options_.depth_noise.maxSquaredRange();
   });
-  const float max_squared_range =
-      noiseIn (viewPoints (cloud), {}, options_.depth_noise).maxSquaredRange();
-  points_too_noisy_ += count ([&] (float squared_range) {
-    return squared_range > max_squared_range &&
-           squared_range <= options_.depth_noise.maxSquaredRange();
-  });
   unmeasured_frames_ += measured == 0;
   constexpr float nearest = 0.01f, farthest = 100.f; // of what depth cameras see
   const bool is_too_near = 2 * count ([] (float squared_range) {
@@ -78,8 +72,15 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
                           measured;
   if (is_too_near || is_too_far)
     ++frames_out_of_scale_;
-  else
+  else {
+    const float max_square =
+        noiseIn (viewPoints (cloud), {}, options_.depth_noise).maxSquaredRange();
+    points_too_noisy_ += count ([&] (float squared_range) {
+      return squared_range > max_square &&
+             squared_range <= options_.depth_noise.maxSquaredRange();
+    });
     frames_elsewhere_ += !isInCameraFrame (cloud);
+  }
   if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
       (options_.find_objects || options_.find_obstacles))
     estimated_pose_ =
