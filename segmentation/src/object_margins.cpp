@@ -5,11 +5,30 @@
 
 #include <pcl/segmentation/object_clusters.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
 namespace pcl {
 namespace rgbd_planes {
+
+namespace {
+
+/** Whether a point is close to none of its neighbours: noise, which tells nothing of what is
+ * there. */
+bool
+isSpeck (const OrganizedPoints& points, std::uint32_t i, const LinkLimit& limit)
+{
+  const std::ptrdiff_t width = points.width;
+  const std::array<std::ptrdiff_t, 4> steps{-width, -1, 1, width};
+  return std::none_of (steps.begin(), steps.end(), [&] (std::ptrdiff_t step) {
+    const std::uint32_t j = nextPixel (points, i, step);
+    return j != i && isMeasured (points[j]) && limit.allows (points[i], points[j]);
+  });
+}
+
+} // namespace
 
 template <typename Visit>
 void
@@ -93,7 +112,8 @@ ObjectClusters::countTop (std::uint32_t i,
   // What leans has sides, not tops, that end there.
   if (goesOnBeside (side) || goesOnBeside (-side))
     return;
-  for (; k != last && place_[k] != place_[i] && !isMeasured (points_[k]);
+  for (; k != last && place_[k] != place_[i] &&
+         (!isMeasured (points_[k]) || isSpeck (points_, k, limit));
        k = nextPixel (points_, k, up))
     last = k;
   if (k == last || place_[k] == place_[i])

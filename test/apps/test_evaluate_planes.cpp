@@ -41,17 +41,18 @@ TEST_F (EvaluatePlanes, SimulatedFramesAgainstTruth)
       const int truth = row["planes_truth"], found = row["planes_found"];
       EXPECT_LE (row["correct_80"].get<int>() + row["missed"].get<int>(), truth);
       EXPECT_LE (row["correct_80"].get<int>() + row["noise"].get<int>(), found);
-      EXPECT_LE (row["f1_50"], 1.);
-      EXPECT_LE (row["mean_iou"], 1.);
-      EXPECT_LE (row["coverage_percent"], 100.);
-      EXPECT_GE (row["median_angle_error_deg"], 0.);
+      if (method == "normal_space") {
+        EXPECT_GT (row["f1_50"], 0.95);
+        EXPECT_GT (row["mean_iou"], 0.9);
+        EXPECT_GT (row["coverage_percent"], 98.);
+        EXPECT_LT (row["median_angle_error_deg"], 1.);
+      }
       EXPECT_TRUE (row["curved_labelled_percent"].is_null()) << "nothing is curved";
       EXPECT_GT (row["far_points"], 1000);
       for (const char* key : {"far_rms_along_ray_mm", "far_rms_along_normal_mm"})
         EXPECT_LT (row[key], row["far_rms_before_mm"]) << key;
       EXPECT_LT (row["far_rms_fit_mm"], row["far_rms_before_mm"]);
       EXPECT_GT (row["wall_pairs"], 0);
-      EXPECT_GE (row["wall_angle_percent"], 0.);
       EXPECT_GT (row["wall_angle_fit_percent"], 0.);
     }
 }
@@ -64,9 +65,8 @@ TEST_F (EvaluatePlanes, CurvedSurfacesOfSimulatedFrames)
       ASSERT_TRUE (row["curved_labelled_percent"].is_number()) << scene;
       const double labelled = row["curved_labelled_percent"].get<double>();
       const double shattered = row["curved_shattered_percent"].get<double>();
-      EXPECT_GE (shattered, 0.);
       EXPECT_LE (shattered, labelled);
-      EXPECT_LE (labelled, 100.);
+      EXPECT_LT (labelled, 20.) << row["method"];
     }
   }
 }

@@ -282,7 +282,6 @@ TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
 
 TEST (ProjectOntoPlanes, GivesBackItsDirection)
 {
-  using Projection = pcl::ProjectOntoPlanes<pcl::PointXYZ>;
   Projection projection;
   EXPECT_EQ (projection.getDirection(), Projection::Direction::viewing_ray);
   projection.setDirection (Projection::Direction::normal);

@@ -236,6 +236,24 @@ TEST (ObjectBackground, WhatGoesOnBehindSomethingNearerIsNoObject)
   }
 }
 
+TEST (ObjectBackground, SpecksAboveAThingHideNothing)
+{
+  View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
+  const auto width = static_cast<pcl::index_t> (view.cloud->width);
+  const auto pixels = view.pixelsOf (2);
+  for (const pcl::index_t i : pixels)
+    if (!pixels.count (i - width)) {
+      // Nearer than the thing, and far from each other.
+      const auto speck = static_cast<std::size_t> (i - 2 * width);
+      (*view.cloud)[speck].getVector3fMap() *= 0.3f + 0.1f * static_cast<float> (i % 3);
+      (*view.cloud)[speck + view.cloud->width].x =
+          std::numeric_limits<float>::quiet_NaN();
+    }
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_GT (iou (objects[0], view, 2), 0.9);
+}
+
 TEST (ObjectBackground, TallThingsAreNoObjects)
 {
   const auto withHeight = [] (float height) {
