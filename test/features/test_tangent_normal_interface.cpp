@@ -134,11 +134,18 @@ TEST (TangentNormalInterface, BadSettingsAreRefused)
   EXPECT_TRUE (sameBits (estimate (estimation, cloud), estimate (expected, cloud)));
 }
 
-TEST (TangentNormalInterface, TheSizeIsThreeOf160PartsOfTheLongerSideAndFourAtLeast)
+TEST (TangentNormalInterface,
+      TheSizeIsThreeOf160PartsOfTheLongerSideInWholeCellsAndFourAtLeast)
 {
   const auto noise = [] (float z) { return 0.001f * z; };
-  for (const auto& [width, size] :
-       {std::pair (480, 9.f), {320, 6.f}, {160, 4.f}, {80, 4.f}}) {
+  for (const auto& [width, size] : {std::pair (1024, 20.f),
+                                    {960, 20.f},
+                                    {848, 16.f},
+                                    {480, 8.f},
+                                    {424, 8.f},
+                                    {320, 6.f},
+                                    {160, 4.f},
+                                    {80, 4.f}}) {
     const Cloud::Ptr cloud =
         render ({tiltedPlane (1.f, 30.f, 20.f)}, width, width * 3 / 4, noise).cloud;
     Estimation estimation;
