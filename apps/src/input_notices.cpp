@@ -108,7 +108,8 @@ InputNotices::lines() const
     return percentOf (points, std::max<std::size_t> (measured_points_, 1));
   };
   const DepthNoise& noise = options_.depth_noise;
-  if (percent (points_out_of_range_) > max_percent_left_out)
+  if (percent (points_out_of_range_) > max_percent_left_out &&
+      std::isfinite (noise.max_range))
     lines.push_back (
         (boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
                         "%.1f m of this sensor and are left out; %g,%g,%g is the same "

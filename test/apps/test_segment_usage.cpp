@@ -88,6 +88,8 @@ TEST_F (SegmentUsage, OtherScalesThanUnitsPerMetreAreTold)
                    "for millimetres; .pcd files must be in metres\n"),
                std::string::npos);
   EXPECT_EQ (noticeAt ("100000"), "") << "1 cm and more";
+  EXPECT_EQ (noticeAt ("1e-7").find ("inf m"), std::string::npos)
+      << "10^10 m, from a sensor without a limit";
 }
 
 TEST_F (SegmentUsage, DepthThatOverflowsIsMissing)
