@@ -142,8 +142,7 @@ inputOptionsDescription ()
       "frames",
       po::value<std::string>()->value_name ("N"),
       "stop after N frames of each INPUT; without, a live camera gives one, but plays "
-      "on in a "
-      "window");
+      "on in a window");
   return description;
 }
 

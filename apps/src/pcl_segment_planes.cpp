@@ -213,10 +213,11 @@ segmentPlanes (int argc, char** argv)
   catchInterruption();
   OutputFiles files;
   files.protect (source.front().files());
-  if (options->corrected && options->corrected->source == WarpSource::camera)
-    source.front().refusePipes();
-  if (options->corrected)
+  if (options->corrected) {
     files.protect ({options->corrected->file});
+    if (options->corrected->source == WarpSource::camera)
+      source.front().refusePipes();
+  }
   prepareOutput (*options, source.front(), files);
 
   InputNotices notices (options->segmenter);

@@ -43,8 +43,7 @@ makeGrid (const OrganizedPoints& points, const TangentNormalParameters& paramete
                                             (160.f * side_of_cells)),
                 4.f);
   const auto half = [&] (float size, float growth, int limit) {
-    const float cells = (size == 0.f ? automatic : size) * growth /
-                        (2.f * static_cast<float> (grid.step));
+    const float cells = (size == 0.f ? automatic : size) * growth / side_of_cells;
     return static_cast<int> (std::clamp (cells, 1.f, static_cast<float> (limit)));
   };
   const bool several =

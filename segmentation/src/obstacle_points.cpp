@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "cell_middle.h"
 #include "obstacle_kernels.h"
 #include "row_bits.h"
 
@@ -61,13 +62,6 @@ isHigh (float height, float variance, const ObstaclePointParameters& parameters)
 {
   return (height > high_part * parameters.min_height) &
          (height * height > square (high_sigmas) * variance);
-}
-
-/** The pixel in the middle of a cell of \a size pixels, of which the last may be missing. */
-int
-middle (int cell, int size, int pixels)
-{
-  return std::min (cell * size + size / 2, pixels - 1);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "cell_middle.h"
 #include "plane_kernels.h"
 #include <hwy/cache_control.h>
 
@@ -29,13 +30,6 @@ pixelAt (const OrganizedPoints& points, int column, int row)
 {
   return static_cast<std::size_t> (row) * static_cast<std::size_t> (points.width) +
          static_cast<std::size_t> (column);
-}
-
-/** The pixel in the middle of \a step pixels, of which the last may be missing. */
-int
-middle (int cell, int step, int pixels)
-{
-  return std::min (cell * step + step / 2, pixels - 1);
 }
 
 } // namespace

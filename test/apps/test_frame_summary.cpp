@@ -4,6 +4,7 @@
 #include <pcl/apps/frame_segmenter.h>
 #include <pcl/apps/obstacle_report.h>
 #include <pcl/apps/plane_report.h>
+#include <pcl/filters/camera_pose.h>
 
 #include <gtest/gtest.h>
 
@@ -49,8 +50,7 @@ TEST (FrameSummary, NeedsNoIndicesForItsReports)
 /** Not by where it meets the ground below the camera. */
 TEST (FrameSummary, HorizontalPlanesAreFloorOrTableByTheirPoints)
 {
-  Eigen::Affine3f pose = Eigen::Affine3f::Identity(); // x right, y down, z forward
-  pose.linear() << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
+  Eigen::Affine3f pose = defaultCameraToBase();
   pose.translation().z() = 1.f;
   const Eigen::Vector3d level (0., -1., 0.),
       ramp (0., -std::cos (0.2), -std::sin (0.2));

@@ -38,13 +38,10 @@ FloorScene
 makeScene (std::uint32_t width)
 {
   std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
-  const auto add = [&] (const Eigen::Vector3f& min, const Eigen::Vector3f& max) {
-    synthetic::addBox (min, max, patches);
-  };
-  add ({0.8f, -0.4f, 0.5f}, {1.4f, 0.4f, 0.55f});
-  add ({0.9f, -0.3f, 0.55f}, {1.f, -0.2f, 0.65f});
-  add ({0.9f, -0.2f, 0.55f}, {1.f, -0.1f, 0.6f});
-  add ({1.1f, 0.1f, 0.55f}, {1.2f, 0.2f, 0.7f});
+  synthetic::addBox ({0.8f, -0.4f, 0.5f}, {1.4f, 0.4f, 0.55f}, patches);
+  synthetic::addBox ({0.9f, -0.3f, 0.55f}, {1.f, -0.2f, 0.65f}, patches);
+  synthetic::addBox ({0.9f, -0.2f, 0.55f}, {1.f, -0.1f, 0.6f}, patches);
+  synthetic::addBox ({1.1f, 0.1f, 0.55f}, {1.2f, 0.2f, 0.7f}, patches);
   const auto pose = synthetic::cameraPose (1.1f, 0.5f, 0.02f);
   return {patches, pose, width, [] (float z) { return 0.001f + 0.002f * z * z; }};
 }

@@ -39,13 +39,11 @@ makeScene (std::uint32_t width, int variant)
 {
   const float shift = 0.02f * static_cast<float> (variant);
   std::vector<synthetic::Patch> patches{synthetic::floorAt (0.f)};
-  const auto add = [&] (const Eigen::Vector3f& min, const Eigen::Vector3f& max) {
-    synthetic::addBox (min, max, patches);
-  };
-  add ({0.8f, -0.4f, 0.5f}, {1.4f, 0.4f, 0.55f});
+  synthetic::addBox ({0.8f, -0.4f, 0.5f}, {1.4f, 0.4f, 0.55f}, patches);
   for (int k = 0; k <= variant; ++k) {
     const float y = -0.3f + 0.2f * static_cast<float> (k);
-    add ({0.9f + shift, y, 0.55f}, {1.f + shift, y + 0.09f, 0.65f});
+    synthetic::addBox (
+        {0.9f + shift, y, 0.55f}, {1.f + shift, y + 0.09f, 0.65f}, patches);
   }
   const auto pose = synthetic::cameraPose (1.1f + shift, 0.5f + shift, shift);
   return {patches, pose, width, [] (float z) { return 0.001f + 0.002f * z * z; }};

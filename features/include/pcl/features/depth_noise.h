@@ -151,8 +151,9 @@ struct DepthNoise {
  * two opposite corners less that at the other two, which is 0 on planes and on cylinders along
  * the image, divided by the standard deviation that \a noise predicts for it. Errors that are
  * smooth over an eightieth of the image's longer side are not seen. Where fewer than a hundred
- * rectangles have all their corners, the noise is taken for the least. Depth of which
- * the quadratic part of the noise is more than a tenth is beyond the range of the result.
+ * rectangles have all their corners, the noise is taken for the least. Where the
+ * quadratic part of the noise is more than a tenth of the range, depth is beyond that of the
+ * result.
  *
  * \param[in] selected not 0 for the points to look at; empty for all
  */
