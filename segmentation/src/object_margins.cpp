@@ -118,16 +118,27 @@ ObjectClusters::countTop (std::uint32_t i,
     last = k;
   if (k == last || place_[k] == place_[i])
     return;
-  // The plane that others stand on, on top of furniture.
-  const auto isOnOther = [&] {
-    return place_[k] == nowhere && !is_background_[k] &&
-           !mayBeOnPlane (
-               points_[k], support.plane, heightAbove (support, k), parameters_);
-  };
+  const bool is_on_plane = place_[k] == nowhere && !is_background_[k];
+  const bool is_on_own =
+      is_on_plane &&
+      mayBeOnPlane (points_[k], support.plane, heightAbove (support, k), parameters_);
   ++sums.tops;
+  sums.passing += is_on_own && hasNoStep (i, k, support);
   sums.going_on += limit.allows (points_[i], points_[k])
-                       ? isOutside (k, support) || isOnOther()
+                       ? isOutside (k, support) || (is_on_plane && !is_on_own)
                        : squaredRange (points_[k]) < squaredRange (points_[i]);
+}
+
+/** Whether \a i is not higher than \a k by more than a step of the depth of a camera shows. */
+bool
+ObjectClusters::hasNoStep (std::uint32_t i,
+                           std::uint32_t k,
+                           const SupportPlane& support) const
+{
+  constexpr float step_sigmas = 2.f;
+  return heightAbove (support, i) - heightAbove (support, k) <
+         step_sigmas * parameters_.noise.sigma (squaredRange (points_[i])) *
+             std::fabs (elevationOf (i));
 }
 
 std::ptrdiff_t

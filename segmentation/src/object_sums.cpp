@@ -15,6 +15,12 @@ namespace {
 
 /** A point so many standard deviations above a plane is not there by noise. */
 constexpr float clear_sigmas = 3.f;
+/** Bumps of a plane, by correlated noise or warp, are lower than so many in half of their points
+ * at least, */
+constexpr float high_sigmas = 6.f;
+constexpr double high_of_points = 0.5;
+/** and pass into it along so many of their tops. */
+constexpr double tops_of_bump = 0.5;
 /** Objects have so many clear points, in parts of min_points and of their own points. */
 constexpr double clear_of_min_points = 0.6;
 constexpr double clear_of_points = 0.25;
@@ -46,12 +52,14 @@ ObjectClusters::sumUp()
   };
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (isLarge (sums) && !isClear (sums))
-      sums.clear += clearPoints (run, supports_->planes()[sums.support]);
+      sums.clear += pointsBeyond (clear_sigmas, run, supports_->planes()[sums.support]);
   });
   const LinkLimit limit = linkLimit();
   forEachRun ([&] (const PointRun& run, Sums& sums) {
     if (!isLarge (sums) || !isClear (sums))
       return;
+    if (!isHigh (sums))
+      sums.high += pointsBeyond (high_sigmas, run, supports_->planes()[sums.support]);
     sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
     sums.at_border += pointsAtBorder (run);
     sums.cut_tops += pointsAtBorder (run, stepUpwards (run.first));
@@ -91,12 +99,13 @@ ObjectClusters::findSets()
 }
 
 std::size_t
-ObjectClusters::clearPoints (const PointRun& run, const SupportPlane& support) const
+ObjectClusters::pointsBeyond (float sigmas,
+                              const PointRun& run,
+                              const SupportPlane& support) const
 {
   const std::uint32_t v = run.first / width_, u = run.first % width_;
   // Where pixels share their errors, one lifts many of them.
-  const float sigmas =
-      clear_sigmas * std::pow (parameters_.noise.normal_scatter, 0.25f);
+  sigmas *= std::pow (parameters_.noise.normal_scatter, 0.25f);
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < run.length; ++k) {
     const float* p = points_[run.first + k];
@@ -176,6 +185,20 @@ ObjectClusters::isClear (const Sums& sums) const
 }
 
 bool
+ObjectClusters::isHigh (const Sums& sums)
+{
+  return static_cast<double> (sums.high) >=
+         high_of_points * static_cast<double> (sums.points);
+}
+
+bool
+ObjectClusters::isBump (const Sums& sums)
+{
+  return !isHigh (sums) && static_cast<double> (sums.passing) >
+                               tops_of_bump * static_cast<double> (sums.tops);
+}
+
+bool
 ObjectClusters::isCutAbove (const Sums& sums)
 {
   return sums.cut_tops > sums.tops;
@@ -190,7 +213,7 @@ ObjectClusters::isObject (const Sums& sums) const
       std::min (std::max (few_leaks, leaks_of_min_points * parameters_.min_points) +
                     leaks_of_width * std::sqrt (points),
                 leaks_across * width);
-  return isLarge (sums) && isClear (sums) &&
+  return isLarge (sums) && isClear (sums) && !isBump (sums) &&
          static_cast<double> (sums.points - sums.over_hull) <=
              (isTruncated (sums.at_border) ? max_leaks
                                            : (1. - over_hull_share) * points) &&

@@ -137,6 +137,15 @@ TEST (PlaneWarp, BumpOfATableIsNoObject)
   EXPECT_TRUE (extract (bent (look ({floor_slab, table}, vga), bump)).empty());
 }
 
+TEST (PlaneWarp, BumpTooNarrowToFollowIsNoObject)
+{
+  const auto bump = [] (const Vector3f& p) { return 0.02f * bell (p, 0.03f); };
+  EXPECT_TRUE (extract (bent (look ({floor_slab, table}, vga), bump)).empty());
+  // What is not higher, but ends at steps.
+  const Box block{{1.2f, 0.f, table_height}, {0.07f, 0.07f, 0.015f}};
+  EXPECT_EQ (extract (look ({floor_slab, table, block}, vga)).size(), 1u);
+}
+
 TEST (PlaneWarp, LowThingInADipIsAnObject)
 {
   const Box bar{{1.2f, 0.f, table_height}, {0.04f, 0.12f, 0.014f}};

@@ -45,7 +45,8 @@ struct ObjectCluster {
  * corner of the plane where they stand on it. Those that hang together with what lies further
  * outside, lower, or too high are no objects, nor is what goes on above most of its top, such as
  * the legs of a table, has its top hidden behind something nearer, or stands where the plane
- * ends and has its top cut by the image, such as a wall. Things may touch a plane of the
+ * ends and has its top cut by the image, such as a wall, nor what is low and passes into its
+ * plane without a step, such as a bump that noise makes. Things may touch a plane of the
  * background, such as a wall, if they stand out from it.
  */
 class PCL_RGBD_PLANES_EXPORTS ObjectClusters {
@@ -93,7 +94,10 @@ private:
     Eigen::AlignedBox2i pixels;
     /** Those that are higher than noise, until they are enough. */
     std::size_t clear = 0;
-    /** Those over the hull; counted of what is large and clear. */
+    /** Those that are too high for a bump of the plane, until they are enough; counted, as all
+     * that follows, of what is large and clear. */
+    std::size_t high = 0;
+    /** Those over the hull. */
     std::size_t over_hull = 0;
     /** Those that hang together with one outside. */
     std::size_t leaks = 0;
@@ -106,7 +110,9 @@ private:
     std::size_t tops = 0;
     /** Of these, those that end at something nearer, or do not end there. */
     std::size_t going_on = 0;
-    /** Those at the border of the image; counted of what is large and clear. */
+    /** Those above which the plane goes on without a step. */
+    std::size_t passing = 0;
+    /** Those at the border of the image. */
     std::size_t at_border = 0;
     /** Those above which the image ends. If these are most tops, */
     std::size_t cut_tops = 0;
@@ -174,7 +180,7 @@ private:
   findSets ();
 
   std::size_t
-  clearPoints (const PointRun& run, const SupportPlane& support) const;
+  pointsBeyond (float sigmas, const PointRun& run, const SupportPlane& support) const;
 
   std::size_t
   pointsOffBackground (const PointRun& run, const SupportPlane& support) const;
@@ -190,6 +196,12 @@ private:
 
   std::size_t
   pointsAtBorder (const PointRun& run) const;
+
+  static bool
+  isHigh (const Sums& sums);
+
+  static bool
+  isBump (const Sums& sums);
 
   static bool
   isCutAbove (const Sums& sums);
@@ -220,6 +232,9 @@ private:
             std::ptrdiff_t up,
             const LinkLimit& limit,
             Sums& sums) const;
+
+  bool
+  hasNoStep (std::uint32_t i, std::uint32_t k, const SupportPlane& support) const;
 
   float
   elevationOf (std::uint32_t i) const;
