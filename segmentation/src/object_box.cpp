@@ -136,6 +136,7 @@ ObjectBox
 ObjectBoxFinder::compute (const OrganizedPoints& points,
                           const pcl::Indices& indices,
                           const SupportPlane& support,
+                          float bottom,
                           const DepthNoise& noise)
 {
   projected_.clear();
@@ -169,10 +170,11 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
   ObjectBox box;
   const Eigen::Vector2f middle =
       0.5f * ((x.low + x.high) * along + (y.low + y.high) * across);
-  box.center = support.unproject (middle) + 0.5f * height * support.plane.normal;
+  box.center =
+      support.unproject (middle) + 0.5f * (bottom + height) * support.plane.normal;
   box.axes << along.x() * support.axis_x + along.y() * support.axis_y,
       across.x() * support.axis_x + across.y() * support.axis_y, support.plane.normal;
-  box.size = {x.high - x.low, y.high - y.low, height};
+  box.size = {x.high - x.low, y.high - y.low, height - bottom};
   const bool is_depth_known =
       box.size.x() > front_sigmas * view.sigma * along.dot (view.away);
   box.smallest_known_side =

@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 // In parts of the longer side of the image:
 /** The most that an edge lacks depth. */
@@ -50,6 +47,7 @@ OcclusionSteps::compute (const OrganizedPoints& points,
           owner_.begin() + run.first, run.length, static_cast<std::uint32_t> (k + 1));
   extents_.resize (clusters.size());
   steps_.clear();
+  lowest_of_all_.clear();
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     const auto& runs = clusters[k].runs;
     extents_[k].up = clustering.stepUpwards (runs[runs.size() / 2].first);
@@ -99,8 +97,9 @@ OcclusionSteps::findEnds (const ObjectCluster& cluster, Extent& extent)
       end[line + k] = run.first + k;
     }
   }
-  extent.lowest = {lowest_.front(), lowest_.back()};
   extent.lines = lowest_.size();
+  extent.begin = lowest_of_all_.size();
+  lowest_of_all_.insert (lowest_of_all_.end(), lowest_.begin(), lowest_.end());
 }
 
 /** The next point of another cluster below the lowest one. */

@@ -23,6 +23,13 @@ WholeThings::compute (const OrganizedPoints& points,
   attached_parts_.find (
       points, normals, occlusions_, supports, parameters, clusters, sets_);
   collect (clusters);
+  resting_things_.find (points,
+                        clustering.pixelAngle(),
+                        occlusions_,
+                        supports.planes(),
+                        parameters,
+                        thing_of_,
+                        things_);
 }
 
 /** What was joined is where the first of its clusters is. */
@@ -37,20 +44,22 @@ WholeThings::collect (const std::vector<ObjectCluster>& clusters)
     if (root != k) {
       auto& joined = things_[thing_of_[root]].runs;
       joined.insert (joined.end(), runs.begin(), runs.end());
+      thing_of_[k] = thing_of_[root];
       continue;
     }
     thing_of_[k] = count++;
     things_.resize (std::max (things_.size(), count));
     things_[thing_of_[k]].runs.assign (runs.begin(), runs.end());
     things_[thing_of_[k]].support = clusters[k].support;
+    things_[thing_of_[k]].bottom = 0.f;
   }
   things_.resize (count);
   const auto isBefore = [] (const PointRun& a, const PointRun& b) {
     return a.first < b.first;
   };
-  for (auto& [runs, support] : things_)
-    if (!std::is_sorted (runs.begin(), runs.end(), isBefore))
-      std::sort (runs.begin(), runs.end(), isBefore);
+  for (auto& thing : things_)
+    if (!std::is_sorted (thing.runs.begin(), thing.runs.end(), isBefore))
+      std::sort (thing.runs.begin(), thing.runs.end(), isBefore);
 }
 
 } // namespace rgbd_planes

@@ -36,7 +36,7 @@ sidesOf (const View& view, std::initializer_list<int> boxes)
                                static_cast<int> (view.cloud->width),
                                static_cast<int> (view.cloud->height)};
   ObjectBoxFinder finder;
-  const ObjectBox box = finder.compute (points, indices, ground, DepthNoise());
+  const ObjectBox box = finder.compute (points, indices, ground, 0.f, DepthNoise());
   const Eigen::Matrix3f axes = view.camera_to_base.linear() * box.axes;
   EXPECT_NEAR (axes.determinant(), 1.f, 1e-4f);
   EXPECT_GT (axes (2, 2), 0.999f);
@@ -126,7 +126,7 @@ TEST (ObjectBox, ATopAtTheHeightOfTheCamera)
   ground.axis_y = -Vector3f::UnitX();
   const Vector3f size =
       ObjectBoxFinder()
-          .compute ({points.data(), 3, 101 * 11, 1}, indices, ground, DepthNoise())
+          .compute ({points.data(), 3, 101 * 11, 1}, indices, ground, 0.f, DepthNoise())
           .size;
   EXPECT_NEAR (size.head<2>().minCoeff(), 0.f, 1e-4f);
   EXPECT_NEAR (size.head<2>().maxCoeff(), 0.1f, 0.006f);

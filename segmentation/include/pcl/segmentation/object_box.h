@@ -12,7 +12,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief A box that rests on a plane. */
+/** \brief A box that rests on a plane, or above it on another thing. */
 struct ObjectBox {
   Eigen::Vector3f center = Eigen::Vector3f::Zero(); /**< in the camera frame */
   /** Columns are the directions of its sides, right-handed; the last one is the normal of
@@ -27,19 +27,22 @@ struct ObjectBox {
 /** \brief Finds boxes, and keeps its buffers for the next one. */
 class PCL_RGBD_PLANES_EXPORTS ObjectBoxFinder {
 public:
-  /** \brief The box that stands on the plane, is as high as the points, and has the smallest
-   * rectangle around them for its ground; a few points, such as flying pixels, may stick out.
+  /** \brief The box from the plane, or from a bottom above it, to the top of the points, with the
+   * smallest rectangle around them for its ground; a few points, such as flying pixels, may stick
+   * out.
    *
    * Noise of depth spreads points along the view. Where a front and a top are seen, the
    * near end is where the front is in the mean. The far end is half-way between the furthest
    * points and where it is if the middle of the top is the middle of the thing: the
    * middle is more certain than a margin that few pixels see at a flat angle.
    * \param[in] indices measured points, at least one
+   * \param[in] bottom height above the plane, lower than the points; 0 or more
    */
   ObjectBox
   compute (const OrganizedPoints& points,
            const pcl::Indices& indices,
            const SupportPlane& support,
+           float bottom,
            const DepthNoise& noise);
 
   /** \brief Of coordinates along a direction. */

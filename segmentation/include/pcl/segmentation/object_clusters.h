@@ -36,6 +36,8 @@ nextPixel (const OrganizedPoints& points, std::uint32_t i, std::ptrdiff_t step)
 struct ObjectCluster {
   std::vector<PointRun> runs; /**< in ascending order */
   std::size_t support = 0;    /**< the plane under them, among the supporting ones */
+  /** How high above that they begin, of what rests on another thing. */
+  float bottom = 0.f;
 };
 
 /** \brief Collects the points above supporting planes and clusters them along the image,

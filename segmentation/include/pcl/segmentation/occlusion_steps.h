@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -49,7 +50,28 @@ public:
   std::array<std::uint32_t, 2>
   lowestAtEnds (std::size_t cluster) const
   {
-    return extents_[cluster].lowest;
+    const Extent& extent = extents_[cluster];
+    return {lowest_of_all_[extent.begin],
+            lowest_of_all_[extent.begin + extent.lines - 1]};
+  }
+
+  /** \brief Calls use (point, down) for the lowest point of a cluster in each of its lines, with
+   * the step from there to the next pixel below. */
+  template <typename Use>
+  void
+  forEachLowest (std::size_t cluster, const Use& use) const
+  {
+    const Extent& extent = extents_[cluster];
+    for (std::size_t k = extent.begin; k < extent.begin + extent.lines; ++k)
+      if (lowest_of_all_[k] != none)
+        use (lowest_of_all_[k], -extent.up);
+  }
+
+  /** \brief The cluster of a point, from 1 on, or 0. */
+  std::uint32_t
+  ownerOf (std::uint32_t point) const
+  {
+    return owner_[point];
   }
 
   /** \brief In how many lines a cluster is. */
@@ -102,8 +124,10 @@ private:
     std::ptrdiff_t up = 0; // to the next point of a line
     std::size_t first_line = 0;
     std::size_t lines = 0;
-    std::array<std::uint32_t, 2> lowest{};
+    std::size_t begin = 0; // among the lowest points of all clusters
   };
+
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   void
   findEnds (const ObjectCluster& cluster, Extent& extent);
@@ -117,7 +141,8 @@ private:
   OrganizedPoints points_;
   std::vector<std::uint32_t> owner_; // of each point: its cluster, from 1 on, or 0
   std::vector<Extent> extents_;
-  std::vector<std::uint32_t> lowest_, highest_; // points in each line of a cluster
+  std::vector<std::uint32_t> lowest_, highest_; // points in each line of a cluster, or none
+  std::vector<std::uint32_t> lowest_of_all_;    // one cluster after the other
   std::vector<OcclusionStep> steps_;
 };
 

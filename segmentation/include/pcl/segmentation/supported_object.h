@@ -18,7 +18,8 @@ struct SupportedObject {
   pcl::PointIndices indices;
   /** The mean of its points. */
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();
-  /** The centre of its box, which rests on the plane. */
+  /** The centre of its box, which rests on the plane; on another thing, if its points show that it
+   * does: see SupportedObjectExtraction. */
   Eigen::Vector3f box_center = Eigen::Vector3f::Zero();
   /** Columns are the directions of the sides of the box, right-handed; the last one is the
    * normal of the plane. */

@@ -47,12 +47,15 @@ namespace pcl {
  * No objects are: what continues further outside or higher up (people, legs of a table); what lies
  * on a plane much of which is elsewhere, or which goes from one side of the image to the other (the
  * wall behind a table); what mostly ends at something nearer above it in the image, for its height
- * cannot be seen; and what the image cuts above where the plane ends, as the foot of a wall. What
- * touches such a wall is an object if a quarter of its points stand out from it, by five standard
- * deviations of depth. A thing on a thing is one object with it, but for setSplitAtConcaveEdges();
- * steps, pallets and low boards are no things, but support some, see setMaxObjectHeight(). Both
- * sides of the rim of a cup, a bowl, or a box without a lid are one object. Small parts beside a
- * thing, such as handles, belong to it if they neither stand on the plane nor rest on the thing.
+ * cannot be seen; what the image cuts above where the plane ends, as the foot of a wall; and what
+ * is lower than six standard deviations of depth in most of its points and passes into the plane
+ * behind it without a step, as bumps that noise makes. What touches such a wall is an object if a
+ * quarter of its points stand out from it, by five standard deviations. A thing on a thing is one
+ * object with it, but for setSplitAtConcaveEdges(): the box of the upper one begins where its lower
+ * end is seen, in mid-air or over the lower thing. Steps, pallets and low boards are no things, but
+ * support some, see setMaxObjectHeight(). Both sides of the rim of a cup, a bowl, or a box without
+ * a lid are one object. Small parts beside a thing, such as handles, belong to it if they neither
+ * stand on the plane nor rest on the thing.
  *
  * Input: an organized cloud in metres, in the camera frame (x right, y down, z forward; any
  * frame will do if the base transform goes with it and \c sensor_origin_ is the place of the

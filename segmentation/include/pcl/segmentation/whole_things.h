@@ -5,6 +5,7 @@
 
 #include <pcl/segmentation/attached_parts.h>
 #include <pcl/segmentation/hollow_things.h>
+#include <pcl/segmentation/resting_things.h>
 
 #include <cstddef>
 #include <vector>
@@ -41,8 +42,9 @@ private:
   OcclusionSteps occlusions_;
   HollowThings hollow_things_;
   AttachedParts attached_parts_;
+  RestingThings resting_things_;
   DisjointSets sets_;
-  std::vector<std::size_t> thing_of_; // of the first clusters of things
+  std::vector<std::size_t> thing_of_; // of each cluster
   std::vector<ObjectCluster> things_;
 };
 

@@ -204,7 +204,7 @@ SupportedObjectExtraction<PointT, PointNT>::describe (
     }
   object.centroid = (sum / static_cast<double> (indices.size())).template cast<float>();
   const rgbd_planes::ObjectBox box =
-      boxes_.compute (points, indices, support, parameters.noise);
+      boxes_.compute (points, indices, support, cluster.bottom, parameters.noise);
   object.box_center = box.center;
   object.box_axes = box.axes;
   object.box_size = box.size;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#pragma once
+
+#include <pcl/segmentation/occlusion_steps.h>
+#include <pcl/segmentation/support_planes.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace rgbd_planes {
+
+/** \brief Finds what rests on another thing instead of their plane, and how high.
+ *
+ * Its lower end is seen, well above the plane: in mid-air, or next to other things over which it
+ * lies. What stands behind a thing and touches it does not lie over that.
+ */
+class PCL_RGBD_PLANES_EXPORTS RestingThings {
+public:
+  /** \param[in] pixel_angle the one between the rays of neighbouring pixels, in radians
+   * \param[in] occlusions of the clusters that things consist of
+   * \param[in] supports the planes that the things refer to
+   * \param[in] thing_of for each cluster, its thing
+   * \param[in,out] things get their bottoms
+   */
+  void
+  find (const OrganizedPoints& points,
+        float pixel_angle,
+        const OcclusionSteps& occlusions,
+        const std::vector<SupportPlane>& supports,
+        const ObjectParameters& parameters,
+        const std::vector<std::size_t>& thing_of,
+        std::vector<ObjectCluster>& things);
+
+private:
+  /** \brief What is below a thing, in lines of the image. */
+  struct LowerEnd {
+    std::size_t lines = 0;
+    /** Another thing that is next to it. */
+    std::size_t touching = 0;
+    /** Something farther, and it does not end higher than elsewhere. */
+    std::size_t in_air = 0;
+  };
+
+  /** \brief The heights of a thing above its plane, but for a few points. */
+  struct Extent {
+    float low = 0.f, high = 0.f;
+    /** Where the lower end of a ball or a lying cylinder is seen, in parts of its height. */
+    float low_if_round = 0.f;
+    float sigma = 0.f; /**< of depth */
+  };
+
+  Extent
+  extentOf (const ObjectCluster& thing, const SupportPlane& support);
+
+  LowerEnd
+  lowerEnd (std::size_t thing, const SupportPlane& support, const Extent& extent);
+
+  void
+  lookBelow (std::uint32_t lowest,
+             std::ptrdiff_t down,
+             std::size_t thing,
+             const SupportPlane& support,
+             const Extent& extent,
+             LowerEnd& end);
+
+  bool
+  liesOverOthers (const ObjectCluster& thing, const SupportPlane& support);
+
+  OrganizedPoints points_;
+  float pixel_angle_ = 0.f;
+  const OcclusionSteps* occlusions_ = nullptr;
+  ObjectParameters parameters_;
+  const std::vector<std::size_t>* thing_of_ = nullptr;
+  const std::vector<ObjectCluster>* things_ = nullptr;
+  std::vector<std::size_t> touched_; // things below the one at hand
+  std::vector<float> heights_;
+  std::vector<Eigen::Vector2f> ground_;
+  ConvexOutline outline_;
+};
+
+} // namespace rgbd_planes
+} // namespace pcl

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "link_kernels.h"
+#include "spread_sample.h"
+
+#include <pcl/segmentation/resting_things.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** So many points tell where a thing is as well as all. */
+constexpr std::size_t max_points = 300;
+/** The part of the points at either end that may be flying pixels. */
+constexpr float trimmed_part = 0.02f;
+/** What rests on another thing ends at least so many times the least height of objects above the
+ * plane, and so many standard deviations of depth. */
+constexpr float min_heights = 2.f;
+constexpr float min_sigmas = 10.f;
+/** So much of its lower end is seen. */
+constexpr double min_seen = 0.75;
+/** Either such a part of that is in mid-air, higher in parts of its height, by so much, than that of
+ * a round thing on the plane would be: seen at a flat angle, surfaces lack depth. */
+constexpr double min_in_air = 0.25;
+constexpr float above_round = 0.25f;
+/** ... or touches other things, over which so many of its points lie. */
+constexpr double min_touching = 0.5;
+constexpr double min_over = 0.5;
+/** What is next to each other differs in range by noise, and by so many widths of a pixel. */
+constexpr float sigmas = 3.f;
+constexpr float stretch = 1.5f;
+
+template <typename Use>
+void
+forSomePoints (const ObjectCluster& thing, const Use& use)
+{
+  SpreadSample sample ((pointsOf (thing.runs) + max_points - 1) / max_points);
+  std::size_t begin = 0, next = sample.next();
+  for (const PointRun& run : thing.runs) {
+    for (; next < begin + run.length; next = sample.next())
+      use (run.first + static_cast<std::uint32_t> (next - begin));
+    begin += run.length;
+  }
+}
+
+bool
+isPart (std::size_t count, double part, std::size_t of)
+{
+  return static_cast<double> (count) >= part * static_cast<double> (of);
+}
+
+} // namespace
+
+void
+RestingThings::find (const OrganizedPoints& points,
+                     float pixel_angle,
+                     const OcclusionSteps& occlusions,
+                     const std::vector<SupportPlane>& supports,
+                     const ObjectParameters& parameters,
+                     const std::vector<std::size_t>& thing_of,
+                     std::vector<ObjectCluster>& things)
+{
+  points_ = points;
+  pixel_angle_ = pixel_angle;
+  occlusions_ = &occlusions;
+  parameters_ = parameters;
+  thing_of_ = &thing_of;
+  things_ = &things;
+  for (std::size_t k = 0; k < things.size(); ++k) {
+    const SupportPlane& support = supports[things[k].support];
+    const Extent extent = extentOf (things[k], support);
+    if (extent.low <= std::max (min_heights * parameters.min_object_height,
+                                min_sigmas * extent.sigma))
+      continue;
+    const LowerEnd end = lowerEnd (k, support, extent);
+    const bool is_in_air =
+        isPart (end.in_air, min_in_air, end.lines) &&
+        extent.low > (extent.low_if_round + above_round) * extent.high;
+    if (isPart (end.in_air + end.touching, min_seen, end.lines) &&
+        (is_in_air || (isPart (end.touching, min_touching, end.lines) &&
+                       liesOverOthers (things[k], support))))
+      things[k].bottom = extent.low;
+  }
+}
+
+RestingThings::Extent
+RestingThings::extentOf (const ObjectCluster& thing, const SupportPlane& support)
+{
+  heights_.clear();
+  float squared_range = 0.f, rise = 0.f;
+  forSomePoints (thing, [&] (std::uint32_t i) {
+    heights_.push_back (support.plane.distance (points_[i]));
+    squared_range += squaredRange (points_[i]);
+    rise += (support.plane.d - heights_.back()) / std::sqrt (squaredRange (points_[i]));
+  });
+  const auto count = static_cast<float> (heights_.size());
+  const auto few = static_cast<std::ptrdiff_t> (trimmed_part * count);
+  const auto low = heights_.begin() + few, high = heights_.end() - 1 - few;
+  std::nth_element (heights_.begin(), low, heights_.end());
+  Extent extent;
+  extent.low = *low;
+  std::nth_element (low, high, heights_.end());
+  extent.high = *high;
+  extent.sigma = parameters_.noise.sigma (squared_range / count);
+  rise = std::min (std::fabs (rise / count), 1.f);
+  extent.low_if_round = 0.5f * (1.f - std::sqrt (1.f - rise * rise));
+  return extent;
+}
+
+RestingThings::LowerEnd
+RestingThings::lowerEnd (std::size_t thing,
+                         const SupportPlane& support,
+                         const Extent& extent)
+{
+  LowerEnd end;
+  touched_.clear();
+  for (std::size_t c = 0; c < thing_of_->size(); ++c)
+    if ((*thing_of_)[c] == thing)
+      occlusions_->forEachLowest (c, [&] (std::uint32_t lowest, std::ptrdiff_t down) {
+        lookBelow (lowest, down, thing, support, extent, end);
+      });
+  return end;
+}
+
+void
+RestingThings::lookBelow (std::uint32_t lowest,
+                          std::ptrdiff_t down,
+                          std::size_t thing,
+                          const SupportPlane& support,
+                          const Extent& extent,
+                          LowerEnd& end)
+{
+  std::uint32_t last = lowest, below = nextPixel (points_, lowest, down);
+  float steps = 1.f;
+  for (; below != last && !isMeasured (points_[below]); steps += 1.f) {
+    last = below;
+    below = nextPixel (points_, below, down);
+  }
+  const std::uint32_t owner = occlusions_->ownerOf (below);
+  const std::size_t other = owner == 0 ? things_->size() : (*thing_of_)[owner - 1];
+  if (below != last && other == thing) // another cluster of the same thing
+    return;
+  ++end.lines;
+  const Eigen::Map<const Eigen::Vector3f> from (points_[lowest]), to (points_[below]);
+  const float range = from.norm();
+  const float rise = std::max (LinkLimit::min_rise,
+                               std::fabs (support.plane.normal.dot (from)) / range);
+  const float limit =
+      sigmas * extent.sigma + stretch * steps * pixel_angle_ * range / rise;
+  if (below == last)
+    return;
+  if (to.norm() > range + limit)
+    end.in_air += support.plane.distance (points_[lowest]) <
+                  extent.low + std::max (parameters_.min_object_height,
+                                         sigmas * extent.sigma * rise);
+  else if (to.norm() >= range - limit && other != things_->size()) {
+    ++end.touching;
+    if (std::find (touched_.begin(), touched_.end(), other) == touched_.end())
+      touched_.push_back (other);
+  }
+}
+
+bool
+RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& support)
+{
+  ground_.clear();
+  for (const std::size_t other : touched_)
+    forSomePoints ((*things_)[other], [&] (std::uint32_t i) {
+      ground_.push_back (support.project (points_[i]));
+    });
+  outline_.compute (ground_, 0.f);
+  std::size_t over = 0, count = 0;
+  forSomePoints (thing, [&] (std::uint32_t i) {
+    over += outline_.contains (support.project (points_[i]));
+    ++count;
+  });
+  return isPart (over, min_over, count);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl

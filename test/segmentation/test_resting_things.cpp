@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "table_objects.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+using namespace table_objects;
+
+namespace {
+
+const Camera camera{1.4f, 0.65f, 0.f, 640, 480};
+
+/** The objects of two things, boxes 2 and 3 of a view, without the planes of their tops: too
+ * little of these may be seen. */
+Objects
+extractSplit (View view)
+{
+  for (const int box : {3, 2})
+    if (const auto top = view.top.find (box); top != view.top.end()) {
+      const auto plane = static_cast<std::ptrdiff_t> (top->second);
+      view.models.erase (view.models.begin() + plane);
+      view.inliers.erase (view.inliers.begin() + plane);
+    }
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  return extract (extraction, view);
+}
+
+/** Where the box of the one object with the points of a box begins and ends, above the table. */
+std::pair<float, float>
+heightsOf (int box, const View& view, const Objects& objects)
+{
+  std::pair<float, float> heights{-1.f, -1.f};
+  int count = 0;
+  for (const auto& object : objects)
+    if (iou (object, view, box) > 0.7) {
+      const float middle = (view.camera_to_base * object.box_center).z() - table_height;
+      heights = {middle - 0.5f * object.box_size.z(),
+                 middle + 0.5f * object.box_size.z()};
+      ++count;
+    }
+  EXPECT_EQ (count, 1);
+  return heights;
+}
+
+Box
+raised (Box box, float height)
+{
+  box.bottom_center.z() += height;
+  return box;
+}
+
+void
+expectFrom (float low, float high, const Box& lower, const Box& upper, float roll = 0.f)
+{
+  for (const float noise : {0.f, 0.5f}) {
+    Camera turned = camera;
+    turned.roll = roll;
+    const View view = look ({floor_slab, table, lower, upper}, turned, noise);
+    const auto heights = heightsOf (3, view, extractSplit (view));
+    EXPECT_NEAR (heights.first, low, 0.012f) << noise;
+    EXPECT_NEAR (heights.second, high, 0.012f) << noise;
+  }
+}
+
+} // namespace
+
+TEST (RestingThings, WhatSticksOutOverALowerThing)
+{
+  const Box lower = onTable (1.1f, 0.f, {0.1f, 0.1f, 0.06f});
+  const Box upper = raised (onTable (1.1f, 0.f, {0.16f, 0.22f, 0.05f}), 0.06f);
+  for (const float roll : {0.f, 1.5f, 3.1f})
+    expectFrom (0.06f, 0.11f, lower, upper, roll);
+}
+
+TEST (RestingThings, WhatLiesOnALargerThing)
+{
+  const Box lower = onTable (1.1f, 0.f, {0.22f, 0.3f, 0.06f});
+  const Box upper = raised (onTable (1.1f, 0.f, {0.14f, 0.2f, 0.05f}), 0.06f);
+  expectFrom (0.06f, 0.11f, lower, upper);
+}
+
+TEST (RestingThings, WhatTouchesALowerThingInFrontStandsOnTheTable)
+{
+  const Box lower = onTable (1.f, 0.f, {0.1f, 0.3f, 0.06f});
+  const Box behind = onTable (1.12f, 0.f, {0.14f, 0.14f, 0.2f});
+  expectFrom (0.f, 0.2f, lower, behind);
+}
+
+TEST (RestingThings, WhatIsHiddenBelowStandsOnTheTable)
+{
+  const Box lower = onTable (0.95f, 0.f, {0.05f, 0.3f, 0.1f});
+  const Box behind = onTable (1.15f, 0.f, {0.14f, 0.14f, 0.15f});
+  expectFrom (0.f, 0.15f, lower, behind);
+}
+
+TEST (RestingThings, WhatBulgesOverItsFootStandsOnTheTable)
+{
+  // Seen so steeply, nothing shows below the middle of a lying cylinder.
+  const View view = look ({floor_slab,
+                           table,
+                           onTable (0.95f, 0.f, {0.15f, 0.3f, 0.25f}),
+                           raised (onTable (0.95f, 0.f, {0.25f, 0.3f, 0.1f}), 0.075f)},
+                          {2.1f, 1.f, 0.f, 640, 480});
+  const Objects objects = extract (view);
+  ASSERT_EQ (objects.size(), 1u);
+  EXPECT_NEAR (objects.front().box_size.z(), 0.25f, 0.01f);
+}
+
+TEST (RestingThings, WhatLacksItsFootStandsOnTheTable)
+{
+  const Box box = onTable (1.1f, 0.f, {0.14f, 0.2f, 0.12f});
+  View view = look ({floor_slab, table, box}, camera);
+  for (auto& point : *view.cloud) {
+    const Vector3f p = view.camera_to_base * point.getVector3fMap();
+    if (p.x() < 1.04f && std::fabs (p.y()) < 0.11f && p.z() > table_height + 0.002f &&
+        p.z() < table_height + 0.035f)
+      point.x = std::numeric_limits<float>::quiet_NaN();
+  }
+  const auto heights = heightsOf (2, view, extractSplit (view));
+  EXPECT_NEAR (heights.first, 0.f, 0.012f);
+  EXPECT_NEAR (heights.second, 0.12f, 0.012f);
+}
