@@ -141,8 +141,9 @@ private:
   OrganizedPoints points_;
   std::vector<std::uint32_t> owner_; // of each point: its cluster, from 1 on, or 0
   std::vector<Extent> extents_;
-  std::vector<std::uint32_t> lowest_, highest_; // points in each line of a cluster, or none
-  std::vector<std::uint32_t> lowest_of_all_;    // one cluster after the other
+  std::vector<std::uint32_t> lowest_,
+      highest_; // points in each line of a cluster, or none
+  std::vector<std::uint32_t> lowest_of_all_; // one cluster after the other
   std::vector<OcclusionStep> steps_;
 };
 
