@@ -28,7 +28,36 @@ isSpeck (const OrganizedPoints& points, std::uint32_t i, const LinkLimit& limit)
   });
 }
 
+/** The sine of the angle between the ray to a point and level planes. */
+float
+elevationOf (const float* point, const Eigen::Vector3f& normal)
+{
+  const Eigen::Map<const Eigen::Vector3f> p (point);
+  return normal.dot (p) / p.norm();
+}
+
 } // namespace
+
+std::ptrdiff_t
+stepUpwards (const OrganizedPoints& points,
+             const Eigen::Vector3f& normal,
+             std::uint32_t i)
+{
+  const float elevation = elevationOf (points[i], normal);
+  // By how much it grows with a step; 0 where no pixel beside is measured.
+  const auto rise = [&] (std::ptrdiff_t step) {
+    for (const int side : {1, -1}) {
+      const std::uint32_t k = nextPixel (points, i, side * step);
+      if (k != i && isMeasured (points[k]))
+        return static_cast<float> (side) *
+               (elevationOf (points[k], normal) - elevation);
+    }
+    return 0.f;
+  };
+  const float right = rise (1), down = rise (points.width);
+  const bool along_row = std::fabs (right) > std::fabs (down);
+  return (along_row ? 1 : points.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
+}
 
 template <typename Visit>
 void
@@ -138,33 +167,7 @@ ObjectClusters::hasNoStep (std::uint32_t i,
   constexpr float step_sigmas = 2.f;
   return heightAbove (support, i) - heightAbove (support, k) <
          step_sigmas * parameters_.noise.sigma (squaredRange (points_[i])) *
-             std::fabs (elevationOf (i));
-}
-
-std::ptrdiff_t
-ObjectClusters::stepUpwards (std::uint32_t i) const
-{
-  const float elevation = elevationOf (i);
-  // By how much it grows with a step; 0 where no pixel beside is measured.
-  const auto rise = [&] (std::ptrdiff_t step) {
-    for (const int side : {1, -1}) {
-      const std::uint32_t k = nextPixel (points_, i, side * step);
-      if (k != i && isMeasured (points_[k]))
-        return static_cast<float> (side) * (elevationOf (k) - elevation);
-    }
-    return 0.f;
-  };
-  const float right = rise (1), down = rise (points_.width);
-  const bool along_row = std::fabs (right) > std::fabs (down);
-  return (along_row ? 1 : points_.width) * ((along_row ? right : down) > 0.f ? 1 : -1);
-}
-
-/** The sine of the angle between a ray and the supporting planes. */
-float
-ObjectClusters::elevationOf (std::uint32_t i) const
-{
-  const Eigen::Map<const Eigen::Vector3f> p (points_[i]);
-  return bases_.back()->plane.normal.dot (p) / p.norm();
+             std::fabs (elevationOf (points_[i], bases_.back()->plane.normal));
 }
 
 } // namespace rgbd_planes

@@ -46,11 +46,13 @@ void
 ObstacleClusters::start (const OrganizedPoints& points,
                          const DepthNoise& noise,
                          std::size_t min_points,
+                         std::size_t small_points,
                          bool has_excluded)
 {
   noise_ = noise;
   has_excluded_ = has_excluded;
   min_points_ = min_points;
+  small_points_ = std::max (min_points, small_points);
   width_ = static_cast<std::size_t> (points.width);
   const std::size_t words = wordsFor (width_);
   candidates_.resize (words);
@@ -197,6 +199,29 @@ ObstacleClusters::finish (std::vector<ObstacleClass>& classes)
     for (Run& run : runs_)
       if (isExcluded (run))
         run.cluster = none;
+}
+
+void
+ObstacleClusters::makeFloor (const std::vector<bool>& are_floor,
+                             std::vector<ObstacleClass>& classes)
+{
+  std::uint32_t number = 0;
+  numbers_.assign (are_floor.size(), none);
+  for (std::size_t k = 0; k < are_floor.size(); ++k)
+    if (!are_floor[k]) {
+      sizes_[number] = sizes_[k];
+      numbers_[k] = number++;
+    }
+  sizes_.resize (number);
+  for (Run& run : runs_) {
+    if (run.cluster == none)
+      continue;
+    if (are_floor[run.cluster])
+      std::fill_n (classes.begin() + static_cast<std::ptrdiff_t> (run.first),
+                   run.length,
+                   ObstacleClass::floor);
+    run.cluster = numbers_[run.cluster];
+  }
 }
 
 } // namespace rgbd_planes

@@ -44,6 +44,10 @@ ObstacleExtraction::compute (const OrganizedPoints& points,
       finishRow (points, finished, camera_to_base);
   }
   clusters_.finish (classes_);
+  if (floor_.isFound()) {
+    bumps_.find (points, floor_.coefficients(), noise, clusters_, classes_);
+    clusters_.makeFloor (bumps_.areBumps(), classes_);
+  }
   scanLateRuns (points, camera_to_base);
   scan_builder_.finish();
   collect (points, camera_to_base, obstacles);
@@ -66,7 +70,11 @@ ObstacleExtraction::start (const ObstacleFrame& frame,
       excluded_[static_cast<std::size_t> (index)] = 1;
   nearest_.clear();
   point_classes_.start (frame, parameters.points);
-  clusters_.start (points, parameters.points.noise, min_points, excluded != nullptr);
+  clusters_.start (points,
+                   parameters.points.noise,
+                   min_points,
+                   FloorBumps::maxPoints (points),
+                   excluded != nullptr);
   scan_builder_.start (parameters.scan, width, scan_);
   rows_.resize (static_cast<std::size_t> (point_classes_.maxWaiting()));
   for (auto& row : rows_)
@@ -92,7 +100,7 @@ ObstacleExtraction::finishRow (const OrganizedPoints& points,
   if (!excluded_.empty())
     return;
   for (std::size_t k = first_run; k < nearest_.size(); ++k)
-    if (!clusters_.mayBeSpeck (k))
+    if (!clusters_.isSmall (k))
       addToScan (k, first);
   scan_builder_.add (row.points, camera_to_base, floor_.reference(), scan_runs_);
 }

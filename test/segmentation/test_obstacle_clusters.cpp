@@ -122,7 +122,7 @@ TEST (ObstacleClusters, AreTheConnectedPointsOfAnImage)
   for (const std::size_t width : {1u, 2u, 63u, 64u, 65u, 128u, 150u})
     for (const double excluded : {0., 2., 20.}) {
       const Image image (width, static_cast<unsigned> (width), excluded);
-      clusters.start (image.points(), DepthNoise(), min_points, excluded > 0.);
+      clusters.start (image.points(), DepthNoise(), min_points, 0, excluded > 0.);
       for (std::size_t v = 0; v < height; ++v)
         clusters.addRow (image.points(), &image.classes[v * width], image.links (v));
       std::vector<ObstacleClass> classes = image.classes;

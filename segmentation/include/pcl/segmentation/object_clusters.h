@@ -32,6 +32,14 @@ nextPixel (const OrganizedPoints& points, std::uint32_t i, std::ptrdiff_t step)
   return has_next ? static_cast<std::uint32_t> (i + step) : i;
 }
 
+/** \brief From pixel \a i to the one beside it whose ray points highest.
+ * \param[in] normal of a level plane, a unit vector that points up
+ */
+PCL_RGBD_PLANES_EXPORTS std::ptrdiff_t
+stepUpwards (const OrganizedPoints& points,
+             const Eigen::Vector3f& normal,
+             std::uint32_t i);
+
 /** \brief Points that may be of one object. */
 struct ObjectCluster {
   std::vector<PointRun> runs; /**< in ascending order */
@@ -82,7 +90,10 @@ public:
 
   /** \brief From pixel \a i to the one beside it whose ray points highest. */
   std::ptrdiff_t
-  stepUpwards (std::uint32_t i) const;
+  stepUpwards (std::uint32_t i) const
+  {
+    return rgbd_planes::stepUpwards (points_, bases_.back()->plane.normal, i);
+  }
 
 private:
   /** \brief Where a point is: from \ref above on, above that one of the bases, over its hull or
@@ -237,9 +248,6 @@ private:
 
   bool
   hasNoStep (std::uint32_t i, std::uint32_t k, const SupportPlane& support) const;
-
-  float
-  elevationOf (std::uint32_t i) const;
 
   bool
   isLarge (const Sums& sums) const;

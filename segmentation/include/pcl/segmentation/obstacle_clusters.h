@@ -53,12 +53,14 @@ public:
 
   /** \brief Starts with an image.
    * \param[in] min_points the points of smaller clusters become specks
+   * \param[in] small_points smaller clusters may turn out to be no obstacles
    * \param[in] has_excluded whether any points are excluded
    */
   void
   start (const OrganizedPoints& points,
          const DepthNoise& noise,
          std::size_t min_points,
+         std::size_t small_points,
          bool has_excluded);
 
   /** \brief Adds the next row.
@@ -77,11 +79,18 @@ public:
   void
   finish (std::vector<ObstacleClass>& classes);
 
-  /** \brief Whether a run may still turn out to be part of a speck, after a row was added. */
+  /** \brief After the last row, makes clusters floor; the others get other numbers.
+   * \param[in] are_floor whether each cluster is
+   * \param[in,out] classes one for each point
+   */
+  void
+  makeFloor (const std::vector<bool>& are_floor, std::vector<ObstacleClass>& classes);
+
+  /** \brief Whether a run may still turn out to be of no obstacle, after a row was added. */
   bool
-  mayBeSpeck (std::size_t run)
+  isSmall (std::size_t run)
   {
-    return points_[sets_.root (static_cast<std::uint32_t> (run))] < min_points_;
+    return points_[sets_.root (static_cast<std::uint32_t> (run))] < small_points_;
   }
 
   /** \brief Row by row, from left to right. */
@@ -119,7 +128,7 @@ private:
             const IsConnected& isConnected);
 
   DepthNoise noise_;
-  std::size_t min_points_ = 0;
+  std::size_t min_points_ = 0, small_points_ = 0;
   bool has_excluded_ = false;
   std::size_t width_ = 0;
   Row rows_[3]; // in turn
@@ -131,6 +140,7 @@ private:
   std::vector<std::size_t> points_;
   std::vector<std::size_t> excluded_points_; // not among these
   std::vector<std::size_t> sizes_;
+  std::vector<std::uint32_t> numbers_; // of the clusters that are no floor
 };
 
 } // namespace rgbd_planes

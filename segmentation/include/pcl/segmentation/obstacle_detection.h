@@ -45,8 +45,11 @@ namespace pcl {
  * slightly off. Obstacles at least as high as the larger of 1 cm and three standard deviations
  * of depth are found. Points clearly below the floor are drop-offs. A plane beside the floor
  * that is clearly higher or lower where it is near is so everywhere. Clusters of a few points
- * are specks, errors of the sensor. Where no floor is found, nothing is safe: points clearly
- * below z = 0 are drop-offs if the camera is above it, all other measured points obstacles.
+ * are specks, errors of the sensor. Clusters of fewer points than a 700th of the image are floor
+ * if half of them are lower than five standard deviations of height, and the floor behind begins
+ * without a step of two: noise that pixels share, or warp, makes such bumps. Where no floor is
+ * found, nothing is safe: points clearly below z = 0 are drop-offs if the camera is above it, all
+ * other measured points obstacles.
  *
  * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, normals or labels
  * that are missing or of another size, or an index outside of the cloud: an error message and

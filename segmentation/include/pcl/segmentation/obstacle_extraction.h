@@ -7,6 +7,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/camera_pose.h>
 #include <pcl/filters/obstacle_class.h>
+#include <pcl/segmentation/floor_bumps.h>
 #include <pcl/segmentation/floor_plane.h>
 #include <pcl/segmentation/obstacle.h>
 #include <pcl/segmentation/obstacle_clusters.h>
@@ -100,7 +101,7 @@ private:
   void
   addToScan (std::size_t run, std::size_t first);
 
-  /** Those that were left out because they may be specks, or excluded. */
+  /** Those that were left out because they may be of no obstacle, or excluded. */
   void
   scanLateRuns (const OrganizedPoints& points, const Eigen::Affine3f& camera_to_base);
 
@@ -125,6 +126,7 @@ private:
   FloorPlane floor_;
   ObstaclePoints point_classes_;
   ObstacleClusters clusters_;
+  FloorBumps bumps_;
   ScanBuilder scan_builder_;
   VirtualScan scan_;
   std::vector<ObstacleClass> classes_;
