@@ -52,17 +52,15 @@ FloorBumps::find (const OrganizedPoints& points,
 }
 
 bool
-FloorBumps::isLow (std::size_t cluster)
+FloorBumps::isLow (std::size_t cluster) const
 {
-  heights_.clear();
-  forEachRun (cluster, [this] (const ObstacleClusters::Run& run) {
+  std::size_t number = 0, low = 0;
+  forEachRun (cluster, [&] (const ObstacleClusters::Run& run) {
+    number += run.length;
     for (std::size_t i = run.first; i < run.first + run.length; ++i)
-      heights_.push_back (heightInSigmas (static_cast<std::uint32_t> (i)));
+      low += heightInSigmas (static_cast<std::uint32_t> (i)) < max_height;
   });
-  const auto middle =
-      heights_.begin() + static_cast<std::ptrdiff_t> (heights_.size() / 2);
-  std::nth_element (heights_.begin(), middle, heights_.end());
-  return *middle < max_height;
+  return 2 * low > number;
 }
 
 bool
@@ -119,9 +117,9 @@ FloorBumps::hasStep (const Line& line, std::ptrdiff_t up)
   heights_.clear();
   for (bool is_end = false; !is_end; i = nextPixel (points_, i, up)) {
     is_end = i == end;
-    if (!isMeasured (points_[i]))
-      return true;
     heights_.push_back (heightInSigmas (i));
+    if (!isMeasured (points_[i]) || std::isnan (heights_.back())) // or too far
+      return true;
   }
   for (std::size_t k = 0; k + apart + number <= heights_.size(); ++k) {
     float fall = 0.f;

@@ -55,7 +55,7 @@ private:
   };
 
   bool
-  isLow (std::size_t cluster);
+  isLow (std::size_t cluster) const;
 
   bool
   endsWithoutStep (std::size_t cluster);
