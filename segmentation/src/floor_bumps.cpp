@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "obstacle_kernels.h"
+#include "pixel_lines.h"
+
 #include <pcl/segmentation/floor_bumps.h>
 #include <pcl/segmentation/floor_plane.h>
-#include <pcl/segmentation/object_clusters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,47 +71,30 @@ FloorBumps::endsWithoutStep (std::size_t cluster)
   const std::size_t first = (*runs_)[last_run_[cluster]].first;
   const std::ptrdiff_t up =
       stepUpwards (points_, floor_.head<3>(), static_cast<std::uint32_t> (first));
-  findLines (cluster, up == 1 || up == -1);
+  findLineEnds (
+      static_cast<std::size_t> (points_.width),
+      alongRow (up),
+      [&] (const auto& use) { forEachRun (cluster, use); },
+      first_,
+      last_);
   std::size_t lines = 0, steps = 0;
-  for (const Line& line : lines_)
-    if (line.first <= line.last) {
+  for (std::size_t k = 0; k < first_.size(); ++k)
+    if (first_[k] != no_pixel) {
       ++lines;
-      steps += hasStep (line, up);
+      steps += up > 0 ? hasStep (first_[k], last_[k], up)
+                      : hasStep (last_[k], first_[k], up);
     }
   return 2 * steps < lines;
 }
 
-/** Those that may be none have the first pixel behind the last one. */
-void
-FloorBumps::findLines (std::size_t cluster, bool along_row)
-{
-  const auto width = static_cast<std::size_t> (points_.width);
-  const auto lineOf = [&] (std::size_t i) { return along_row ? i / width : i % width; };
-  std::size_t begin = no_run, end = 0;
-  forEachRun (cluster, [&] (const ObstacleClusters::Run& run) {
-    begin = std::min (begin, lineOf (run.first));
-    end = std::max (end, lineOf (run.first + run.length - 1) + 1);
-  });
-  lines_.assign (end - begin, {std::numeric_limits<std::uint32_t>::max(), 0});
-  forEachRun (cluster, [&] (const ObstacleClusters::Run& run) {
-    for (std::size_t i = run.first; i < run.first + run.length; ++i) {
-      Line& line = lines_[lineOf (i) - begin];
-      line.first = std::min (line.first, static_cast<std::uint32_t> (i));
-      line.last = std::max (line.last, static_cast<std::uint32_t> (i));
-    }
-  });
-}
-
-/** Between the means of a few pixels, on the way upwards through the line and the cells at its
- * ends. */
+/** Between the means of a few pixels, on the way upwards from \a i to \a end and through the cells
+ * before and behind. */
 bool
-FloorBumps::hasStep (const Line& line, std::ptrdiff_t up)
+FloorBumps::hasStep (std::uint32_t i, std::uint32_t end, std::ptrdiff_t up)
 {
-  const int cell = std::max (std::max (points_.width, points_.height) / 160, 1);
+  const int cell = cellSize (points_);
   const std::size_t number = static_cast<std::size_t> (std::max (3 * cell / 4, 1));
   const std::size_t apart = number + static_cast<std::size_t> (cell / 4);
-  std::uint32_t i = up > 0 ? line.first : line.last,
-                end = up > 0 ? line.last : line.first;
   for (int k = 0; k < cell; ++k) {
     i = nextPixel (points_, i, -up);
     end = nextPixel (points_, end, up);

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "link_kernels.h"
-#include "spread_sample.h"
+#include "point_sample.h"
 
 #include <pcl/segmentation/object_box.h>
 
@@ -141,12 +141,10 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
 {
   projected_.clear();
   heights_.clear();
-  SpreadSample sample ((indices.size() + max_points - 1) / max_points);
-  for (std::size_t k = sample.next(); k < indices.size(); k = sample.next()) {
-    const float* p = points[static_cast<std::size_t> (indices[k])];
-    projected_.push_back (support.project (p));
-    heights_.push_back (support.plane.distance (p));
-  }
+  sampleAtMost (indices, max_points, [&] (std::size_t i) {
+    projected_.push_back (support.project (points[i]));
+    heights_.push_back (support.plane.distance (points[i]));
+  });
   const float height = trimmedRange (heights_).high;
   border_ = projected_;
   convexHull (border_, hull_);

@@ -4,6 +4,7 @@
 #include "image_lines.h"
 #include "link_kernels.h"
 #include "object_kernels.h"
+#include "pixel_lines.h"
 #include "run_kernels.h"
 
 #include <pcl/segmentation/object_clusters.h>
@@ -202,12 +203,8 @@ ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
   const std::uint32_t first = step == 1 ? end - 1 : run.first;
   const std::uint32_t stop = step == -1 ? run.first + 1 : end;
   std::size_t count = 0;
-  for (std::uint32_t k = first; k < stop; ++k) {
-    std::uint32_t last = k, i = nextPixel (points_, k, step);
-    for (; i != last && !isMeasured (points_[i]); i = nextPixel (points_, i, step))
-      last = i;
-    count += i == last;
-  }
+  for (std::uint32_t k = first; k < stop; ++k)
+    count += !nextMeasured (points_, k, step);
   return count;
 }
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "link_kernels.h"
+#include "pixel_lines.h"
 
 #include <pcl/segmentation/object_clusters.h>
 
@@ -26,14 +27,6 @@ isSpeck (const OrganizedPoints& points, std::uint32_t i, const LinkLimit& limit)
     const std::uint32_t j = nextPixel (points, i, step);
     return j != i && isMeasured (points[j]) && limit.allows (points[i], points[j]);
   });
-}
-
-/** The sine of the angle between the ray to a point and level planes. */
-float
-elevationOf (const float* point, const Eigen::Vector3f& normal)
-{
-  const Eigen::Map<const Eigen::Vector3f> p (point);
-  return normal.dot (p) / p.norm();
 }
 
 } // namespace
@@ -133,7 +126,7 @@ ObjectClusters::countTop (std::uint32_t i,
   std::uint32_t last = i, k = nextPixel (points_, i, up);
   if (place_[k] == place_[i])
     return;
-  const std::ptrdiff_t side = up == 1 || up == -1 ? points_.width : 1;
+  const std::ptrdiff_t side = alongRow (up) ? points_.width : 1;
   const auto goesOnBeside = [&] (std::ptrdiff_t step) {
     const std::uint32_t j = nextPixel (points_, k, step);
     return j != k && place_[j] == place_[i] && limit.allows (points_[i], points_[j]);

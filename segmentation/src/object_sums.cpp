@@ -50,16 +50,20 @@ ObjectClusters::sumUp()
     for (std::size_t k = 0; k < set_of_run_.size(); ++k)
       use (runs_.runs()[k], sums_[set_of_run_[k]]);
   };
-  forEachRun ([this] (const PointRun& run, Sums& sums) {
+  // Where pixels share their errors, one lifts many of them.
+  const float scatter = std::pow (parameters_.noise.normal_scatter, 0.25f);
+  forEachRun ([&] (const PointRun& run, Sums& sums) {
     if (isLarge (sums) && !isClear (sums))
-      sums.clear += pointsBeyond (clear_sigmas, run, supports_->planes()[sums.support]);
+      sums.clear +=
+          pointsBeyond (clear_sigmas * scatter, run, supports_->planes()[sums.support]);
   });
   const LinkLimit limit = linkLimit();
   forEachRun ([&] (const PointRun& run, Sums& sums) {
     if (!isLarge (sums) || !isClear (sums))
       return;
     if (!isHigh (sums))
-      sums.high += pointsBeyond (high_sigmas, run, supports_->planes()[sums.support]);
+      sums.high +=
+          pointsBeyond (high_sigmas * scatter, run, supports_->planes()[sums.support]);
     sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
     sums.at_border += pointsAtBorder (run);
     sums.cut_tops += pointsAtBorder (run, stepUpwards (run.first));
@@ -104,8 +108,6 @@ ObjectClusters::pointsBeyond (float sigmas,
                               const SupportPlane& support) const
 {
   const std::uint32_t v = run.first / width_, u = run.first % width_;
-  // Where pixels share their errors, one lifts many of them.
-  sigmas *= std::pow (parameters_.noise.normal_scatter, 0.25f);
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < run.length; ++k) {
     const float* p = points_[run.first + k];

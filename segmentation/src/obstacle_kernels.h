@@ -7,6 +7,8 @@
 #include <pcl/segmentation/obstacle_points.h>
 #include <pcl/segmentation/point_row.h>
 
+#include <algorithm>
+
 namespace pcl {
 namespace rgbd_planes {
 
@@ -21,6 +23,14 @@ constexpr float high_part = 0.25f, high_sigmas = 0.5f * window_sigmas;
 /** Below the floor: real sensors also measure far depth too long, which bends floors
  * downwards by more than their noise. */
 constexpr float drop_sigmas = 8.f;
+
+/** The points around a point are looked at in cells of so many pixels to a side. */
+inline int
+cellSize (const OrganizedPoints& points)
+{
+  constexpr int cells_along = 160;
+  return std::max (std::max (points.width, points.height) / cells_along, 1);
+}
 
 /** Neighbours that are further apart are not of the same thing. */
 constexpr float max_gap_m = 0.05f;

@@ -15,8 +15,6 @@ namespace rgbd_planes {
 
 namespace {
 
-constexpr int cells_along = 160;
-
 /** Where a plane that differs begins, noise alone decides which points are on it: samples
  * of it are higher than that above the floor. */
 constexpr float sample_sigmas = 1.f;
@@ -72,7 +70,7 @@ ObstaclePoints::start (const ObstacleFrame& frame,
 {
   parameters_ = parameters;
   width_ = frame.points.width;
-  cell_size_ = std::max (std::max (width_, frame.points.height) / cells_along, 1);
+  cell_size_ = cellSize (frame.points);
   cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
   const auto cells = padded (static_cast<std::size_t> (cells_u_) + 2);
   clear (columns_, cells * static_cast<std::size_t> (cell_size_));

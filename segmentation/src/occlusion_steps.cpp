@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "pixel_lines.h"
+
 #include <pcl/segmentation/occlusion_steps.h>
 
 #include <algorithm>
@@ -24,12 +26,6 @@ int
 longerSide (const OrganizedPoints& points)
 {
   return std::max (points.width, points.height);
-}
-
-bool
-alongRow (std::ptrdiff_t up)
-{
-  return up == 1 || up == -1;
 }
 
 } // namespace
@@ -71,32 +67,14 @@ OcclusionSteps::compute (const OrganizedPoints& points,
 void
 OcclusionSteps::findEnds (const ObjectCluster& cluster, Extent& extent)
 {
-  const auto width = static_cast<std::uint32_t> (points_.width);
-  const bool along_row = alongRow (extent.up);
-  std::uint32_t first = none, last = 0;
-  for (const PointRun& run : cluster.runs) {
-    const std::uint32_t line = along_row ? run.first / width : run.first % width;
-    first = std::min (first, line);
-    last = std::max (last, along_row ? line : line + run.length - 1);
-  }
-  extent.first_line = first;
-  auto& begin = extent.up > 0 ? lowest_ : highest_;
-  auto& end = extent.up > 0 ? highest_ : lowest_;
-  begin.assign (last - first + 1, none);
-  end.assign (last - first + 1, none);
-  for (const PointRun& run : cluster.runs) {
-    if (along_row) {
-      const std::uint32_t line = run.first / width - first;
-      begin[line] = std::min (begin[line], run.first);
-      end[line] = run.first + run.length - 1;
-      continue;
-    }
-    const std::uint32_t line = run.first % width - first;
-    for (std::uint32_t k = 0; k < run.length; ++k) {
-      begin[line + k] = std::min (begin[line + k], run.first + k);
-      end[line + k] = run.first + k;
-    }
-  }
+  const auto forEachRun = [&] (const auto& use) {
+    std::for_each (cluster.runs.begin(), cluster.runs.end(), use);
+  };
+  extent.first_line = findLineEnds (static_cast<std::size_t> (points_.width),
+                                    alongRow (extent.up),
+                                    forEachRun,
+                                    extent.up > 0 ? lowest_ : highest_,
+                                    extent.up > 0 ? highest_ : lowest_);
   extent.lines = lowest_.size();
   extent.begin = lowest_of_all_.size();
   lowest_of_all_.insert (lowest_of_all_.end(), lowest_.begin(), lowest_.end());

@@ -18,12 +18,18 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** Calls use (index) for some \a count of the inliers, evenly spread. */
+inline std::size_t
+pointsOf (const pcl::Indices& indices)
+{
+  return indices.size();
+}
+
+/** Calls use (index) for one of each \a step inliers, evenly spread. */
 template <typename Use>
 void
-sampleIndices (const pcl::Indices& inliers, std::size_t count, const Use& use)
+sampleEvery (const pcl::Indices& inliers, std::size_t step, const Use& use)
 {
-  SpreadSample sample (std::max<std::size_t> (inliers.size() / count, 1));
+  SpreadSample sample (step);
   for (std::size_t i = sample.next(); i < inliers.size(); i = sample.next())
     use (static_cast<std::size_t> (inliers[i]));
 }
@@ -31,15 +37,31 @@ sampleIndices (const pcl::Indices& inliers, std::size_t count, const Use& use)
 /** The same for runs. */
 template <typename Use>
 void
-sampleIndices (const std::vector<PointRun>& runs, std::size_t count, const Use& use)
+sampleEvery (const std::vector<PointRun>& runs, std::size_t step, const Use& use)
 {
-  SpreadSample sample (std::max<std::size_t> (pointsOf (runs) / count, 1));
+  SpreadSample sample (step);
   std::size_t i = sample.next(), begin = 0;
   for (const PointRun& run : runs) {
     for (; i < begin + run.length; i = sample.next())
       use (run.first + (i - begin));
     begin += run.length;
   }
+}
+
+/** Calls use (index) for some \a count of the points of a thing, up to twice as many. */
+template <typename Thing, typename Use>
+void
+sampleIndices (const Thing& thing, std::size_t count, const Use& use)
+{
+  sampleEvery (thing, std::max<std::size_t> (pointsOf (thing) / count, 1), use);
+}
+
+/** The same for \a count of them at most. */
+template <typename Thing, typename Use>
+void
+sampleAtMost (const Thing& thing, std::size_t count, const Use& use)
+{
+  sampleEvery (thing, (pointsOf (thing) + count - 1) / count, use);
 }
 
 /** Calls use (p) for some \a count of the measured points of a thing, evenly spread. */

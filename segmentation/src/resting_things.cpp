@@ -2,7 +2,8 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "link_kernels.h"
-#include "spread_sample.h"
+#include "pixel_lines.h"
+#include "plane_levels.h"
 
 #include <pcl/segmentation/resting_things.h>
 
@@ -35,25 +36,6 @@ constexpr double min_over = 0.5;
 constexpr float sigmas = 3.f;
 constexpr float stretch = 1.5f;
 
-template <typename Use>
-void
-forSomePoints (const ObjectCluster& thing, const Use& use)
-{
-  SpreadSample sample ((pointsOf (thing.runs) + max_points - 1) / max_points);
-  std::size_t begin = 0, next = sample.next();
-  for (const PointRun& run : thing.runs) {
-    for (; next < begin + run.length; next = sample.next())
-      use (run.first + static_cast<std::uint32_t> (next - begin));
-    begin += run.length;
-  }
-}
-
-bool
-isPart (std::size_t count, double part, std::size_t of)
-{
-  return static_cast<double> (count) >= part * static_cast<double> (of);
-}
-
 } // namespace
 
 void
@@ -79,10 +61,10 @@ RestingThings::find (const OrganizedPoints& points,
       continue;
     const LowerEnd end = lowerEnd (k, support, extent);
     const bool is_in_air =
-        isPart (end.in_air, min_in_air, end.lines) &&
+        Share{end.in_air, end.lines}.isAtLeast (min_in_air) &&
         extent.low > (extent.low_if_round + above_round) * extent.high;
-    if (isPart (end.in_air + end.touching, min_seen, end.lines) &&
-        (is_in_air || (isPart (end.touching, min_touching, end.lines) &&
+    if (Share{end.in_air + end.touching, end.lines}.isAtLeast (min_seen) &&
+        (is_in_air || (Share{end.touching, end.lines}.isAtLeast (min_touching) &&
                        liesOverOthers (things[k], support))))
       things[k].bottom = extent.low;
   }
@@ -93,10 +75,10 @@ RestingThings::extentOf (const ObjectCluster& thing, const SupportPlane& support
 {
   heights_.clear();
   float squared_range = 0.f, rise = 0.f;
-  forSomePoints (thing, [&] (std::uint32_t i) {
+  sampleAtMost (thing.runs, max_points, [&] (std::size_t i) {
     heights_.push_back (support.plane.distance (points_[i]));
     squared_range += squaredRange (points_[i]);
-    rise += (support.plane.d - heights_.back()) / std::sqrt (squaredRange (points_[i]));
+    rise += elevationOf (points_[i], support.plane.normal);
   });
   const auto count = static_cast<float> (heights_.size());
   const auto few = static_cast<std::ptrdiff_t> (trimmed_part * count);
@@ -135,25 +117,21 @@ RestingThings::lookBelow (std::uint32_t lowest,
                           const Extent& extent,
                           LowerEnd& end)
 {
-  std::uint32_t last = lowest, below = nextPixel (points_, lowest, down);
-  float steps = 1.f;
-  for (; below != last && !isMeasured (points_[below]); steps += 1.f) {
-    last = below;
-    below = nextPixel (points_, below, down);
-  }
-  const std::uint32_t owner = occlusions_->ownerOf (below);
+  const auto below = nextMeasured (points_, lowest, down);
+  const std::uint32_t owner = below ? occlusions_->ownerOf (below->pixel) : 0;
   const std::size_t other = owner == 0 ? things_->size() : (*thing_of_)[owner - 1];
-  if (below != last && other == thing) // another cluster of the same thing
+  if (other == thing) // another cluster of the same thing
     return;
   ++end.lines;
-  const Eigen::Map<const Eigen::Vector3f> from (points_[lowest]), to (points_[below]);
-  const float range = from.norm();
-  const float rise = std::max (LinkLimit::min_rise,
-                               std::fabs (support.plane.normal.dot (from)) / range);
-  const float limit =
-      sigmas * extent.sigma + stretch * steps * pixel_angle_ * range / rise;
-  if (below == last)
+  if (!below)
     return;
+  const Eigen::Map<const Eigen::Vector3f> from (points_[lowest]),
+      to (points_[below->pixel]);
+  const float range = from.norm();
+  const float rise = std::max (
+      LinkLimit::min_rise, std::fabs (elevationOf (from.data(), support.plane.normal)));
+  const float pixels = stretch * static_cast<float> (below->steps);
+  const float limit = sigmas * extent.sigma + pixels * pixel_angle_ * range / rise;
   if (to.norm() > range + limit)
     end.in_air += support.plane.distance (points_[lowest]) <
                   extent.low + std::max (parameters_.min_object_height,
@@ -170,16 +148,16 @@ RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& s
 {
   ground_.clear();
   for (const std::size_t other : touched_)
-    forSomePoints ((*things_)[other], [&] (std::uint32_t i) {
+    sampleAtMost ((*things_)[other].runs, max_points, [&] (std::size_t i) {
       ground_.push_back (support.project (points_[i]));
     });
   outline_.compute (ground_, 0.f);
-  std::size_t over = 0, count = 0;
-  forSomePoints (thing, [&] (std::uint32_t i) {
-    over += outline_.contains (support.project (points_[i]));
-    ++count;
+  Share over;
+  sampleAtMost (thing.runs, max_points, [&] (std::size_t i) {
+    over.part += outline_.contains (support.project (points_[i]));
+    ++over.all;
   });
-  return isPart (over, min_over, count);
+  return over.isAtLeast (min_over);
 }
 
 } // namespace rgbd_planes

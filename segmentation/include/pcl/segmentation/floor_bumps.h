@@ -49,22 +49,14 @@ public:
   }
 
 private:
-  /** The first and the last pixel of a cluster in a row or column of the image. */
-  struct Line {
-    std::uint32_t first, last;
-  };
-
   bool
   isLow (std::size_t cluster) const;
 
   bool
   endsWithoutStep (std::size_t cluster);
 
-  void
-  findLines (std::size_t cluster, bool along_row);
-
   bool
-  hasStep (const Line& line, std::ptrdiff_t up);
+  hasStep (std::uint32_t i, std::uint32_t end, std::ptrdiff_t up);
 
   template <typename Use>
   void
@@ -79,7 +71,7 @@ private:
   const std::vector<ObstacleClusters::Run>* runs_ = nullptr;
   std::vector<std::size_t> last_run_, run_before_; // of each cluster, and of each run
   std::vector<float> heights_;
-  std::vector<Line> lines_;
+  std::vector<std::uint32_t> first_, last_; // pixels of a cluster in its lines
   std::vector<bool> are_bumps_;
 };
 
