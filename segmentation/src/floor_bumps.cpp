@@ -2,10 +2,10 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "obstacle_kernels.h"
-#include "pixel_lines.h"
 
 #include <pcl/segmentation/floor_bumps.h>
 #include <pcl/segmentation/floor_plane.h>
+#include <pcl/segmentation/pixel_lines.h>
 
 #include <algorithm>
 #include <cmath>

@@ -17,11 +17,6 @@ namespace rgbd_planes {
 
 namespace {
 
-/** So many points tell the sides of a box as well as all. */
-constexpr unsigned max_points = 300;
-/** The part of the points at either end that may be flying pixels. */
-constexpr float trimmed_part = 0.02f;
-
 // What follows is in standard deviations of depth, as far as it shows in a direction.
 /** Noise spreads a face of a box, or its top, by so much. */
 constexpr float face_sigmas = 4.f;
@@ -82,14 +77,15 @@ lowestBut (std::size_t few, const std::vector<float>& values, float sign)
 {
   // More values than a few are no higher than the lowest one of each group; not many are.
   constexpr std::size_t groups = 8;
-  static_assert (trimmed_part * max_points < groups, "there are enough groups");
+  static_assert (trimmed_part * max_points_of_thing < groups,
+                 "there are enough groups");
   std::array<float, groups> lowest;
   lowest.fill (std::numeric_limits<float>::max());
   for (std::size_t i = 0; i + groups <= values.size(); i += groups)
     for (std::size_t k = 0; k < groups; ++k)
       lowest[k] = std::min (lowest[k], sign * values[i + k]);
   const float bound = *std::max_element (lowest.begin(), lowest.end());
-  std::array<float, max_points> candidates{};
+  std::array<float, max_points_of_thing> candidates{};
   auto end = candidates.begin();
   for (const float value : values) {
     *end = sign * value;
@@ -141,7 +137,7 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
 {
   projected_.clear();
   heights_.clear();
-  sampleAtMost (indices, max_points, [&] (std::size_t i) {
+  sampleAtMost (indices, max_points_of_thing, [&] (std::size_t i) {
     projected_.push_back (support.project (points[i]));
     heights_.push_back (support.plane.distance (points[i]));
   });

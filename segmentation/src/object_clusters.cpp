@@ -4,7 +4,6 @@
 #include "image_lines.h"
 #include "link_kernels.h"
 #include "object_kernels.h"
-#include "pixel_lines.h"
 #include "run_kernels.h"
 
 #include <pcl/segmentation/object_clusters.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "pixel_lines.h"
-
 #include <pcl/segmentation/occlusion_steps.h>
 
 #include <algorithm>
@@ -54,7 +52,7 @@ OcclusionSteps::compute (const OrganizedPoints& points,
       step.behind = k;
       step.lowest = lowest_[line];
       step.highest = highest_[line];
-      if (step.lowest != none && findFront (step))
+      if (step.lowest != no_pixel && findFront (step))
         steps_.push_back (step);
     }
   }

@@ -18,6 +18,11 @@
 namespace pcl {
 namespace rgbd_planes {
 
+/** So many points tell where a thing is as well as all. */
+constexpr std::size_t max_points_of_thing = 300;
+/** The part of them at either end that may be flying pixels. */
+constexpr float trimmed_part = 0.02f;
+
 inline std::size_t
 pointsOf (const pcl::Indices& indices)
 {

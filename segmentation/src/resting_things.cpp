@@ -2,9 +2,10 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "link_kernels.h"
-#include "pixel_lines.h"
 #include "plane_levels.h"
+#include "point_sample.h"
 
+#include <pcl/segmentation/pixel_lines.h>
 #include <pcl/segmentation/resting_things.h>
 
 #include <algorithm>
@@ -15,10 +16,6 @@ namespace rgbd_planes {
 
 namespace {
 
-/** So many points tell where a thing is as well as all. */
-constexpr std::size_t max_points = 300;
-/** The part of the points at either end that may be flying pixels. */
-constexpr float trimmed_part = 0.02f;
 /** What rests on another thing ends at least so many times the least height of objects above the
  * plane, and so many standard deviations of depth. */
 constexpr float min_heights = 2.f;
@@ -75,7 +72,7 @@ RestingThings::extentOf (const ObjectCluster& thing, const SupportPlane& support
 {
   heights_.clear();
   float squared_range = 0.f, rise = 0.f;
-  sampleAtMost (thing.runs, max_points, [&] (std::size_t i) {
+  sampleAtMost (thing.runs, max_points_of_thing, [&] (std::size_t i) {
     heights_.push_back (support.plane.distance (points_[i]));
     squared_range += squaredRange (points_[i]);
     rise += elevationOf (points_[i], support.plane.normal);
@@ -148,12 +145,12 @@ RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& s
 {
   ground_.clear();
   for (const std::size_t other : touched_)
-    sampleAtMost ((*things_)[other].runs, max_points, [&] (std::size_t i) {
+    sampleAtMost ((*things_)[other].runs, max_points_of_thing, [&] (std::size_t i) {
       ground_.push_back (support.project (points_[i]));
     });
   outline_.compute (ground_, 0.f);
   Share over;
-  sampleAtMost (thing.runs, max_points, [&] (std::size_t i) {
+  sampleAtMost (thing.runs, max_points_of_thing, [&] (std::size_t i) {
     over.part += outline_.contains (support.project (points_[i]));
     ++over.all;
   });

@@ -3,10 +3,9 @@
 
 #pragma once
 
-#include <pcl/console/print.h>
+#include <pcl/features/rgbd_planes_exports.h>
 
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace pcl {
@@ -17,6 +16,15 @@ enum class Zero { allowed, refused };
 
 /** \brief The \c max of setParameter() that refuses infinity only. */
 constexpr double any_finite = std::numeric_limits<float>::max();
+
+/** \brief Whether setParameter() takes \a value. */
+PCL_RGBD_PLANES_EXPORTS bool
+isParameter (double value, Zero zero, double max);
+
+/** \brief The error message of setParameter(). */
+PCL_RGBD_PLANES_EXPORTS void
+refuseParameter (
+    const std::string& setter, double value, double kept, Zero zero, double max);
 
 /** \brief What setters of numbers do: \a parameter becomes \a value. One that is NaN,
  * negative, a 0 that is refused or more than \a max: an error message with the name of the
@@ -31,28 +39,12 @@ setParameter (const std::string& setter,
               Zero zero = Zero::allowed,
               double max = std::numeric_limits<double>::infinity())
 {
-  // As floats: what was one is the limit that it was meant to be.
-  const auto number = static_cast<float> (value);
-  const bool may_be_zero = zero == Zero::allowed;
-  if ((may_be_zero ? value >= 0. : number > 0.f) &&
-      number <= static_cast<float> (max)) {
+  const bool is_parameter = isParameter (value, zero, max);
+  if (is_parameter)
     parameter = static_cast<T> (value);
-    return true;
-  }
-  std::ostringstream limit, kept;
-  if (max < any_finite)
-    limit << " and at most " << max;
-  if (may_be_zero || parameter > T (0))
-    kept << parameter;
   else
-    kept << "the default, which goes with the input";
-  PCL_ERROR ("[pcl::%s] The value must be a number, %s 0%s, got %g. Keeping %s.\n",
-             setter.c_str(),
-             may_be_zero ? "at least" : "more than",
-             limit.str().c_str(),
-             value,
-             kept.str().c_str());
-  return false;
+    refuseParameter (setter, value, static_cast<double> (parameter), zero, max);
+  return is_parameter;
 }
 
 } // namespace rgbd_planes

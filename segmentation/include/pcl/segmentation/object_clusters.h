@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/segmentation/linked_runs.h>
+#include <pcl/segmentation/pixel_lines.h>
 #include <pcl/segmentation/point_row.h>
 #include <pcl/segmentation/support_planes.h>
 
@@ -18,27 +19,6 @@ namespace pcl {
 namespace rgbd_planes {
 
 struct LinkLimit;
-
-/** \brief The pixel next to \a i, \a step further along its row (1 or -1) or column (the width of
- * the image or less that); \a i itself at the border of the image. */
-inline std::uint32_t
-nextPixel (const OrganizedPoints& points, std::uint32_t i, std::ptrdiff_t step)
-{
-  const auto width = static_cast<std::uint32_t> (points.width);
-  const bool has_next = step == points.width    ? i + width < points.size()
-                        : step == -points.width ? i >= width
-                        : step > 0              ? i % width + 1 < width
-                                                : i % width > 0;
-  return has_next ? static_cast<std::uint32_t> (i + step) : i;
-}
-
-/** \brief From pixel \a i to the one beside it whose ray points highest.
- * \param[in] normal of a level plane, a unit vector that points up
- */
-PCL_RGBD_PLANES_EXPORTS std::ptrdiff_t
-stepUpwards (const OrganizedPoints& points,
-             const Eigen::Vector3f& normal,
-             std::uint32_t i);
 
 /** \brief Points that may be of one object. */
 struct ObjectCluster {

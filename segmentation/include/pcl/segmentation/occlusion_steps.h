@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -63,7 +62,7 @@ public:
   {
     const Extent& extent = extents_[cluster];
     for (std::size_t k = extent.begin; k < extent.begin + extent.lines; ++k)
-      if (lowest_of_all_[k] != none)
+      if (lowest_of_all_[k] != no_pixel)
         use (lowest_of_all_[k], -extent.up);
   }
 
@@ -127,8 +126,6 @@ private:
     std::size_t begin = 0; // among the lowest points of all clusters
   };
 
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   void
   findEnds (const ObjectCluster& cluster, Extent& extent);
 
@@ -141,8 +138,8 @@ private:
   OrganizedPoints points_;
   std::vector<std::uint32_t> owner_; // of each point: its cluster, from 1 on, or 0
   std::vector<Extent> extents_;
-  std::vector<std::uint32_t> lowest_,
-      highest_; // points in each line of a cluster, or none
+  // Points in each line of a cluster, or no_pixel:
+  std::vector<std::uint32_t> lowest_, highest_;
   std::vector<std::uint32_t> lowest_of_all_; // one cluster after the other
   std::vector<OcclusionStep> steps_;
 };

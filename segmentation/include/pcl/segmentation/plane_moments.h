@@ -3,12 +3,10 @@
 
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <pcl/features/rgbd_planes_exports.h>
 
-#include <algorithm>
-#include <cmath>
+#include <Eigen/Core>
+
 #include <cstddef>
 
 namespace pcl {
@@ -61,7 +59,7 @@ shiftSums (const Eigen::Vector3d& reference, double (&sums)[10])
  * deviation, the sum of the weighted squares of m * p - 1 is that of errors in standard
  * deviations, and the best m solves three linear equations.
  */
-struct PlaneMoments {
+struct PCL_RGBD_PLANES_EXPORTS PlaneMoments {
   /** Of 1, x, y, z, xx, xy, xz, yy, yz and zz. */
   double sums[10] = {};
   std::size_t points = 0;
@@ -121,13 +119,7 @@ struct PlaneMoments {
   }
 
   Eigen::Matrix3d
-  second () const
-  {
-    Eigen::Matrix3d result;
-    result << sums[4], sums[5], sums[6], sums[5], sums[7], sums[8], sums[6], sums[8],
-        sums[9];
-    return result;
-  }
+  second () const;
 
   Eigen::Vector3d
   mean () const
@@ -136,51 +128,25 @@ struct PlaneMoments {
   }
 
   Eigen::Matrix3d
-  covariance () const
-  {
-    return second() / weight() - mean() * mean().transpose();
-  }
+  covariance () const;
 
   /** \brief The smallest eigenvalue of the covariance by the sum of all, 0 to 1 / 3. */
   double
-  curvature () const
-  {
-    const Eigen::Matrix3d matrix = covariance();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (
-        matrix, Eigen::EigenvaluesOnly);
-    // Rounding may leave a little less than 0.
-    return std::max (solver.eigenvalues()[0], 0.) / matrix.trace();
-  }
+  curvature () const;
 
   /** \brief The best m of the plane m * p = 1; not finite where points determine none.
    */
   Eigen::Vector3d
-  inverseDistance () const
-  {
-    return second().inverse() * first();
-  }
+  inverseDistance () const;
 
   /** \brief Whether noise leaves the direction of the best plane certain to half a radian in the
    * standard deviation; points in a line do not. */
   bool
-  determinePlane () const
-  {
-    constexpr double max_relative_error = 0.5, least_ratio = 1e-12;
-    const Eigen::Vector3d m = inverseDistance();
-    // The covariance of m is the inverse of the second moments.
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (
-        second(), Eigen::EigenvaluesOnly);
-    const double least = solver.eigenvalues()[0];
-    return least > least_ratio * solver.eigenvalues()[2] &&
-           least * m.squaredNorm() * max_relative_error * max_relative_error > 1.;
-  }
+  determinePlane () const;
 
   /** \brief The weighted sum of the squares of m * p - 1. */
   double
-  squaredErrors (const Eigen::Vector3d& m) const
-  {
-    return m.dot (second() * m) - 2. * m.dot (first()) + weight();
-  }
+  squaredErrors (const Eigen::Vector3d& m) const;
 
   /** \brief The mean of the squares of the errors of the points on m * p = 1, in squared
    * standard deviations. */
@@ -192,51 +158,25 @@ struct PlaneMoments {
 
   /** \brief The mean error of the points on m * p = 1, in standard deviations. */
   double
-  meanError (const Eigen::Vector3d& m) const
-  {
-    return (m.dot (first()) - weight()) /
-           std::sqrt (weight() * static_cast<double> (points));
-  }
+  meanError (const Eigen::Vector3d& m) const;
 
   /** \brief The sum, weighted, of squared distances to \a plane. */
   double
-  squaredDistances (const Plane& plane) const
-  {
-    const Eigen::Vector3d n = plane.normal.cast<double>();
-    const double d = plane.d;
-    return n.dot (second() * n) + 2. * d * n.dot (first()) + d * d * weight();
-  }
+  squaredDistances (const Plane& plane) const;
 };
 
 /** \brief The plane m * p = 1. */
-inline Plane
-planeOf (const Eigen::Vector3d& m)
-{
-  const double length = m.norm();
-  return {(-m / length).cast<float>(), static_cast<float> (1. / length)};
-}
+PCL_RGBD_PLANES_EXPORTS Plane
+planeOf (const Eigen::Vector3d& m);
 
 /** \brief The covariance of the coefficients (a, b, c, d) of the plane m * p = 1 that
  * fits best to points with independent errors, to first order. */
-inline Eigen::Matrix4d
-parameterCovariance (const PlaneMoments& moments, const Eigen::Vector3d& m)
-{
-  const double d = 1. / m.norm();
-  const Eigen::Vector3d n = -d * m;
-  Eigen::Matrix<double, 4, 3> derivative;
-  derivative.topRows<3>() = -d * (Eigen::Matrix3d::Identity() - n * n.transpose());
-  derivative.bottomRows<1>() = d * d * n.transpose();
-  return derivative * moments.second().inverse() * derivative.transpose();
-}
+PCL_RGBD_PLANES_EXPORTS Eigen::Matrix4d
+parameterCovariance (const PlaneMoments& moments, const Eigen::Vector3d& m);
 
 /** \brief The covariance of the coefficients of the plane where points are shifted. */
-inline Eigen::Matrix4d
-shiftedCovariance (const Eigen::Matrix4d& covariance, const Eigen::Vector3d& shift)
-{
-  Eigen::Matrix4d derivative = Eigen::Matrix4d::Identity();
-  derivative.bottomLeftCorner<1, 3>() = -shift.transpose();
-  return derivative * covariance * derivative.transpose();
-}
+PCL_RGBD_PLANES_EXPORTS Eigen::Matrix4d
+shiftedCovariance (const Eigen::Matrix4d& covariance, const Eigen::Vector3d& shift);
 
 } // namespace rgbd_planes
 } // namespace pcl

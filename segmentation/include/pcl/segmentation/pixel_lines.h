@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/features/organized_view.h>
-#include <pcl/segmentation/object_clusters.h>
+#include <pcl/features/rgbd_planes_exports.h>
 
 #include <Eigen/Geometry>
 
@@ -21,6 +21,27 @@ namespace rgbd_planes {
 // The lines of an image, rows or columns, with steps as nextPixel() takes them.
 
 constexpr std::uint32_t no_pixel = std::numeric_limits<std::uint32_t>::max();
+
+/** \brief The pixel next to \a i, \a step further along its row (1 or -1) or column (the width of
+ * the image or less that); \a i itself at the border of the image. */
+inline std::uint32_t
+nextPixel (const OrganizedPoints& points, std::uint32_t i, std::ptrdiff_t step)
+{
+  const auto width = static_cast<std::uint32_t> (points.width);
+  const bool has_next = step == points.width    ? i + width < points.size()
+                        : step == -points.width ? i >= width
+                        : step > 0              ? i % width + 1 < width
+                                                : i % width > 0;
+  return has_next ? static_cast<std::uint32_t> (i + step) : i;
+}
+
+/** \brief From pixel \a i to the one beside it whose ray points highest.
+ * \param[in] normal of a level plane, a unit vector that points up
+ */
+PCL_RGBD_PLANES_EXPORTS std::ptrdiff_t
+stepUpwards (const OrganizedPoints& points,
+             const Eigen::Vector3f& normal,
+             std::uint32_t i);
 
 inline bool
 alongRow (std::ptrdiff_t step)
