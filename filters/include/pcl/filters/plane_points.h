@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PointIndices.h>
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -24,41 +24,19 @@ using PlaneVectors =
 
 /** \brief a, b, c, d with a unit normal towards the origin; NaN for what has no four finite
  * coefficients and a normal. */
-inline Eigen::Vector4f
-planeVector (const ModelCoefficients& model)
-{
-  if (model.values.size() != 4)
-    return Eigen::Vector4f::Constant (std::numeric_limits<float>::quiet_NaN());
-  // Squares of what a float holds are no floats.
-  const Eigen::Vector4d plane =
-      Eigen::Map<const Eigen::Vector4f> (model.values.data()).cast<double>();
-  const double sign = plane[3] < 0. ? -1. : 1.;
-  return (sign / plane.head<3>().norm() * plane).cast<float>();
-}
+PCL_RGBD_PLANES_EXPORTS Eigen::Vector4f
+planeVector (const ModelCoefficients& model);
 
-inline PlaneVectors
-planeVectors (const std::vector<ModelCoefficients>& models)
-{
-  PlaneVectors planes;
-  for (const auto& model : models)
-    planes.push_back (planeVector (model));
-  return planes;
-}
+PCL_RGBD_PLANES_EXPORTS PlaneVectors
+planeVectors (const std::vector<ModelCoefficients>& models);
 
 /** \brief The plane of points that are shifted by \a shift, its normal towards the origin. */
-inline Eigen::Vector4f
-shifted (Eigen::Vector4f plane, const Eigen::Vector3f& shift)
-{
-  plane[3] -= plane.head<3>().dot (shift);
-  return plane[3] < 0.f ? Eigen::Vector4f (-plane) : plane;
-}
+PCL_RGBD_PLANES_EXPORTS Eigen::Vector4f
+shifted (Eigen::Vector4f plane, const Eigen::Vector3f& shift);
 
 /** \brief m of m * p = 1 for the points p of a plane. */
-inline Eigen::Vector3d
-inverseDistance (const Eigen::Vector4f& plane)
-{
-  return -plane.head<3>().cast<double>() / plane[3];
-}
+PCL_RGBD_PLANES_EXPORTS Eigen::Vector3d
+inverseDistance (const Eigen::Vector4f& plane);
 
 /** \brief The default of ProjectOntoPlanes::setMaxRayFactor(). */
 constexpr float default_max_ray_factor = 10.f;
@@ -88,16 +66,10 @@ projectOnto (const Eigen::Vector4f& plane,
 
 /** \brief For each of \a size points the last plane that it is an inlier of, or a number
  * beyond. */
-inline void
+PCL_RGBD_PLANES_EXPORTS void
 fillPlaneOf (const std::vector<PointIndices>& inliers,
              std::size_t size,
-             std::vector<std::uint32_t>& plane_of)
-{
-  plane_of.assign (size, std::numeric_limits<std::uint32_t>::max());
-  for (std::size_t k = 0; k < inliers.size(); ++k)
-    for (const pcl::index_t index : inliers[k].indices)
-      plane_of[static_cast<std::size_t> (index)] = static_cast<std::uint32_t> (k);
-}
+             std::vector<std::uint32_t>& plane_of);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -63,7 +63,7 @@ NormalEstimationBase<PointInT, PointOutT>::initCompute()
   std::string fault =
       input_ ? complaint() : "No input cloud: call setInputCloud first.";
   if (fault.empty())
-    fault = faultOfOrigin (*input_);
+    fault = faultOfOrigin (input_->sensor_origin_);
   if (fault.empty() && forIndices())
     fault = faultOfIndices (indices_.get(), input_->size());
   if (!fault.empty()) {

@@ -4,16 +4,15 @@
 #pragma once
 
 #include <pcl/features/organized_view.h>
+#include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/features/tangent_normals.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/type_traits.h>
 #include <pcl/types.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -81,20 +80,16 @@ noneIsUnit (const pcl::PointCloud<PointT>& normals)
   return any;
 }
 
-/** \brief What to tell a user whose \a cloud is not an image of points that holds all of
+/** \brief What to tell a user whose cloud of \a size points is not an image that holds all of
  * them; empty if it is. */
+PCL_RGBD_PLANES_EXPORTS std::string
+faultOfImage (std::size_t size, std::uint32_t width, std::uint32_t height);
+
 template <typename PointT>
 std::string
 faultOfImage (const pcl::PointCloud<PointT>& cloud)
 {
-  if (cloud.isOrganized() && !cloud.empty() &&
-      cloud.size() == std::size_t{cloud.width} * cloud.height)
-    return {};
-  return "The input cloud has " + std::to_string (cloud.size()) + " points, width " +
-         std::to_string (cloud.width) + " and height " + std::to_string (cloud.height) +
-         ", but must be organized (an image of points): ask your camera driver for "
-         "ordered point clouds, and keep NaN points, for filters that remove points "
-         "also remove the organization.";
+  return faultOfImage (cloud.size(), cloud.width, cloud.height);
 }
 
 /** \brief Whether there is one of \a others, as normals or labels, for each point of \a cloud:
@@ -119,46 +114,21 @@ numberOfPoints (const pcl::PointCloud<PointT>* cloud)
   return std::to_string (cloud->width) + " x " + std::to_string (cloud->height);
 }
 
-/** \brief What to tell a user whose \a cloud does not say where the sensor was; empty if it
- * does. */
-template <typename PointT>
-std::string
-faultOfOrigin (const pcl::PointCloud<PointT>& cloud)
-{
-  if (cloud.sensor_origin_.template head<3>().allFinite())
-    return {};
-  return "The sensor_origin_ of the input cloud is not finite: set it to where the "
-         "camera "
-         "was, (0, 0, 0) in the frame of the camera.";
-}
+/** \brief What to tell a user whose cloud does not say where the sensor was; empty if it
+ * does.
+ * \param[in] sensor_origin the member of the cloud
+ */
+PCL_RGBD_PLANES_EXPORTS std::string
+faultOfOrigin (const Eigen::Vector4f& sensor_origin);
 
 /** \brief Whether every index is one of a cloud of \a size points. */
-inline bool
-indicesInside (const pcl::Indices& indices, std::size_t size)
-{
-  if (indices.empty() || size == 0)
-    return indices.empty();
-  // To the end, whatever comes, which takes vector instructions. The highest bit is set in
-  // numbers below 0, and in what is left to the last index from one beyond.
-  using Number = std::make_unsigned_t<pcl::index_t>;
-  constexpr Number highest = std::numeric_limits<Number>::max() / 2;
-  const auto last = static_cast<Number> (std::min<std::size_t> (size - 1, highest));
-  Number bits = 0;
-  for (const pcl::index_t index : indices)
-    bits |= static_cast<Number> (index) | (last - static_cast<Number> (index));
-  return bits <= highest;
-}
+PCL_RGBD_PLANES_EXPORTS bool
+indicesInside (const pcl::Indices& indices, std::size_t size);
 
 /** \brief What to tell a user whose \a indices are not all of a cloud of \a size points;
  * empty if they are, and without indices. */
-inline std::string
-faultOfIndices (const pcl::Indices* indices, std::size_t size)
-{
-  if (!indices || indicesInside (*indices, size))
-    return {};
-  return "An index lies outside of the input cloud: give indices from 0 to less than " +
-         std::to_string (size) + ".";
-}
+PCL_RGBD_PLANES_EXPORTS std::string
+faultOfIndices (const pcl::Indices* indices, std::size_t size);
 
 /** \brief What to tell a user whose \a cloud is missing or no image, or who gave \a indices
  * outside of it; empty if all is well. */
@@ -170,22 +140,16 @@ faultOfInput (const pcl::PointCloud<PointT>* cloud, const pcl::Indices* indices)
     return "No input cloud: call setInputCloud first.";
   std::string fault = faultOfImage (*cloud);
   if (fault.empty())
-    fault = faultOfOrigin (*cloud);
+    fault = faultOfOrigin (cloud->sensor_origin_);
   return fault.empty() ? faultOfIndices (indices, cloud->size()) : fault;
 }
 
 /** \brief Sets \a selected to 1 for the points of \a indices and 0 for the others of \a size
  * points; without indices, which stands for all points, it is empty. */
-inline void
+PCL_RGBD_PLANES_EXPORTS void
 selectPoints (const pcl::Indices* indices,
               std::size_t size,
-              std::vector<std::uint8_t>& selected)
-{
-  selected.assign (indices ? size : 0, 0);
-  if (indices)
-    for (const pcl::index_t index : *indices)
-      selected[static_cast<std::size_t> (index)] = 1;
-}
+              std::vector<std::uint8_t>& selected);
 
 } // namespace rgbd_planes
 } // namespace pcl

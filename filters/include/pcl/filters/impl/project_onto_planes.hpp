@@ -63,7 +63,7 @@ ProjectOntoPlanes<PointT>::assignPlanes()
   const std::size_t size = input_->size();
   std::string fault = rgbd_planes::faultOfIndices (indices_.get(), size);
   if (fault.empty())
-    fault = rgbd_planes::faultOfOrigin (*input_);
+    fault = rgbd_planes::faultOfOrigin (input_->sensor_origin_);
   if (fault.empty())
     fault = faultOfPlanes();
   if (!fault.empty()) {

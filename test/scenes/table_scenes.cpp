@@ -1,82 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#pragma once
+#include "table_scenes.h"
 
-#include <pcl/ModelCoefficients.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-#include <pcl/PointIndices.h>
-
-#include <Eigen/Geometry>
-
-#include <cmath>
+#include <algorithm>
 #include <limits>
-#include <map>
 #include <random>
-#include <set>
-#include <vector>
 
 namespace table_scenes {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Normals = pcl::PointCloud<pcl::Normal>;
+namespace {
 
-/** A box in the base frame (x forward, y left, z up), turned about the vertical. */
-struct Box {
-  Eigen::Vector3f bottom_center;
-  Eigen::Vector3f size;
-  float yaw = 0.f;
-};
+Eigen::Vector3f
+faceNormal (const Box& box, int face)
+{
+  const Eigen::Vector3f local =
+      Eigen::Vector3f::Unit (face / 2) * (face % 2 ? 1.f : -1.f);
+  return Eigen::AngleAxisf (box.yaw, Eigen::Vector3f::UnitZ()) * local;
+}
 
-struct Camera {
-  float height = 1.4f;
-  float pitch_down = 0.65f;
-  float roll = 0.f;
-  std::uint32_t width = 320;
-  std::uint32_t image_height = 240;
+} // namespace
 
-  Eigen::Affine3f
-  toBase () const
-  {
-    Eigen::Matrix3f axes; // of a camera that looks along x
-    axes << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
-    const Eigen::Matrix3f turned =
-        Eigen::AngleAxisf (pitch_down, Eigen::Vector3f::UnitY()) * axes *
-        Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()).toRotationMatrix();
-    Eigen::Affine3f to_base = Eigen::Affine3f::Identity();
-    to_base.linear() = turned;
-    to_base.translation().z() = height;
-    return to_base;
-  }
-};
-
-/** What a camera sees of boxes, and the planes of their faces. */
-struct View {
-  Eigen::Affine3f camera_to_base;
-  Cloud::Ptr cloud = pcl::make_shared<Cloud>();
-  Normals::Ptr normals = pcl::make_shared<Normals>();
-  /** The box that each pixel sees, or -1. */
-  std::vector<int> box;
-  /** Faces with at least 300 pixels. */
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> inliers;
-  /** The plane on top of each box, where it is one. */
-  std::map<int, std::size_t> top;
-
-  std::set<pcl::index_t>
-  pixelsOf (int which) const
-  {
-    std::set<pcl::index_t> pixels;
-    for (std::size_t i = 0; i < box.size(); ++i)
-      if (box[i] == which)
-        pixels.insert (static_cast<pcl::index_t> (i));
-    return pixels;
-  }
-};
-
-/** The first face of \a box that a ray meets: its distance, and 2 * axis + side. */
-inline std::pair<float, int>
+std::pair<float, int>
 meet (const Box& box, const Eigen::Vector3f& eye, const Eigen::Vector3f& ray)
 {
   const Eigen::Matrix3f turn =
@@ -98,17 +43,32 @@ meet (const Box& box, const Eigen::Vector3f& eye, const Eigen::Vector3f& ray)
   return {enter, enter < leave ? face : -1};
 }
 
-inline Eigen::Vector3f
-faceNormal (const Box& box, int face)
+Eigen::Affine3f
+Camera::toBase() const
 {
-  const Eigen::Vector3f local =
-      Eigen::Vector3f::Unit (face / 2) * (face % 2 ? 1.f : -1.f);
-  return Eigen::AngleAxisf (box.yaw, Eigen::Vector3f::UnitZ()) * local;
+  Eigen::Matrix3f axes; // of a camera that looks along x
+  axes << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
+  const Eigen::Matrix3f turned =
+      Eigen::AngleAxisf (pitch_down, Eigen::Vector3f::UnitY()) * axes *
+      Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()).toRotationMatrix();
+  Eigen::Affine3f to_base = Eigen::Affine3f::Identity();
+  to_base.linear() = turned;
+  to_base.translation().z() = height;
+  return to_base;
 }
 
-/** \param[in] noise depth has Gaussian noise of this many times 1 mm + 2 mm z^2 */
-inline View
-look (const std::vector<Box>& boxes, const Camera& camera = {}, float noise = 0.f)
+std::set<pcl::index_t>
+View::pixelsOf (int which) const
+{
+  std::set<pcl::index_t> pixels;
+  for (std::size_t i = 0; i < box.size(); ++i)
+    if (box[i] == which)
+      pixels.insert (static_cast<pcl::index_t> (i));
+  return pixels;
+}
+
+View
+look (const std::vector<Box>& boxes, const Camera& camera, float noise)
 {
   View view;
   view.camera_to_base = camera.toBase();
