@@ -135,6 +135,19 @@ TEST (DepthNoise, FramesMayHaveMoreThanTheLeast)
   EXPECT_FALSE (DepthNoise::kinectV1Corrected().is_least);
 }
 
+/** A fence in front of a wall: most rectangles have a corner on a wire. */
+TEST (DepthNoise, FineStructureIsHardlyTakenForNoise)
+{
+  std::vector<float> points = tiltedWall (640, 480, 1.f);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u)
+      if ((u + v) % 16 < 2 || (u - v + 480) % 16 < 2)
+        std::for_each_n (
+            &points[3 * (v * 640 + u)], 3, [] (float& value) { value *= 0.5f; });
+  const float usual = DepthNoise().sigma (1.f);
+  EXPECT_LE (noiseOf (points, 640, 480, DepthNoise::kinectV1()), 4.f * usual);
+}
+
 TEST (DepthNoise, MissingPointsSayNothingOfTheNoiseOfAFrame)
 {
   const float usual = DepthNoise().sigma (1.f);

@@ -15,6 +15,24 @@
 
 using namespace obstacle_scenes;
 
+namespace {
+
+/** Replaces the true normals and planes by those that are found. */
+void
+segmentPlanes (FloorScene& scene)
+{
+  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setInputCloud (scene.cloud);
+  estimation.compute (*scene.normals);
+  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (scene.normals);
+  std::vector<pcl::PointIndices> inliers;
+  segmentation.segment (scene.planes, inliers, *scene.labels);
+}
+
+} // namespace
+
 TEST (ObstacleDetection, WhatSticksOutIsAnObstacle)
 {
   for (const std::uint32_t width : {160u, 320u, 640u}) {
@@ -176,15 +194,8 @@ TEST (ObstacleDetection, ALighterOnATableIsAnObstacle)
   for (const float table_height : {0.f, 0.7f}) {
     FloorScene scene (only_floor + lighter, cameraPose (0.5f, 0.6f), 640, kinectSigma);
     scene.camera_to_base.pretranslate (Eigen::Vector3f (0.f, 0.f, table_height));
-    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-    estimation.setInputCloud (scene.cloud);
-    estimation.compute (*scene.normals);
-    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
-    segmentation.setInputCloud (scene.cloud);
-    segmentation.setInputNormals (scene.normals);
-    std::vector<pcl::PointIndices> inliers;
     const auto patches = pcl::make_shared<pcl::PointCloud<pcl::Label>> (*scene.labels);
-    segmentation.segment (scene.planes, inliers, *scene.labels);
+    segmentPlanes (scene);
     const Result result = detect (scene);
     *scene.labels = *patches;
     EXPECT_GE (share (scene, result, 1, 6, ObstacleClass::obstacle), 0.5);
@@ -196,6 +207,31 @@ TEST (ObstacleDetection, ALighterOnATableIsAnObstacle)
                table_height > 0.f ? ObstacleClass::obstacle : ObstacleClass::floor),
         0.998);
   }
+}
+
+/** Fine structure is no noise, in which a robot would see nothing. */
+TEST (ObstacleDetection, AFenceIsAnObstacleOnAFloor)
+{
+  constexpr float fence = 1.2f;
+  FloorScene scene (
+      {floorAt (0.f), {{-1.f, 0.f, 0.f}, {4.f, 0.f, 0.f}}}, pose, 640, kinectSigma);
+  std::vector<std::size_t> wires;
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i) {
+    const std::size_t u = i % 640, v = i / 640;
+    auto& point = (*scene.cloud)[i];
+    if (((u + v) % 20 < 2 || (u + 480 - v) % 20 < 2) && point.z > fence) {
+      point.getVector3fMap() *= fence / point.z;
+      wires.push_back (i);
+    }
+  }
+  segmentPlanes (scene);
+  const Result result = detect (scene);
+  const auto obstacles =
+      std::count_if (wires.begin(), wires.end(), [&] (std::size_t i) {
+        return result[i] == ObstacleClass::obstacle;
+      });
+  EXPECT_GT (static_cast<double> (obstacles), 0.9 * static_cast<double> (wires.size()));
+  EXPECT_GT (result.count (ObstacleClass::floor), scene.cloud->size() / 4);
 }
 
 TEST (ObstacleDetection, ObstaclesHaveDistanceAndDirection)
