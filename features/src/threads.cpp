@@ -5,8 +5,18 @@
 
 #include <pcl/features/threads.h>
 
+#include <algorithm>
+
+namespace {
+
+/** More only take memory. */
+constexpr unsigned int max_threads = 256;
+
+} // namespace
+
 unsigned int
 pcl::rgbd_planes::numberOfThreads (unsigned int nr_threads)
 {
-  return nr_threads > 0 ? nr_threads : static_cast<unsigned int> (omp_get_num_procs());
+  return nr_threads > 0 ? std::min (nr_threads, max_threads)
+                        : static_cast<unsigned int> (omp_get_num_procs());
 }

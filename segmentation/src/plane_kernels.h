@@ -26,7 +26,7 @@ equationOf (const Plane& plane)
 }
 
 /** A plane that is seen at a flatter angle than that of this cosine counts as seen at it:
- * otherwise points far off it would be near. */
+ * otherwise points hardly off it would be far. */
 constexpr float min_view_cosine = 0.1f;
 
 /** From the points of \a samples, (0, 0, 0) where there is none, their normals and

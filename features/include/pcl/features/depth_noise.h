@@ -145,7 +145,7 @@ struct DepthNoise {
 };
 
 /** \brief The noise of a frame: \a noise itself or, where that is the least and the frame is
- * noisier, \a noise times their ratio.
+ * noisier, \a noise times their ratio, up to 4: more is fine structure, as of a fence or leaves.
  *
  * The ratio is a median over small rectangles of the image. What counts is the inverse range at
  * two opposite corners less that at the other two, which is 0 on planes and on cylinders along

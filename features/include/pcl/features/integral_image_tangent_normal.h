@@ -56,7 +56,8 @@ namespace pcl {
  * neighbouring ranges differ by more than setMaxDepthChangeFactor allows), with \c is_dense
  * false then.
  * \c curvature is the ratio of the smallest eigenvalue to the sum of all (section 3)
- * that a smooth patch of the same bend would have. Coordinates are copied where
+ * that a smooth patch of the same bend would have, 1/3 where the normal is that of planes
+ * around the point, which has none of its own. Coordinates are copied where
  * PointOutT has them.
  *
  * Output and input may be the same cloud, which keeps its other fields; not with indices.

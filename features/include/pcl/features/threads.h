@@ -8,8 +8,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief How many threads \a nr_threads stands for: itself, or one for each processor
- * where it is 0. */
+/** \brief How many threads \a nr_threads stands for: itself, up to 256, or one for each
+ * processor where it is 0. */
 PCL_RGBD_PLANES_EXPORTS unsigned int
 numberOfThreads (unsigned int nr_threads);
 

@@ -54,7 +54,7 @@ namespace pcl {
  *
  * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, normals that are
  * missing or of another size, or an index outside of the cloud: an error message and empty
- * outputs. All planes farther off than 100 m, or none while no normal is of unit length: a
+ * outputs. All points farther off than 100 m, or no planes while no normal is of unit length: a
  * warning, once for frames in a row. What a setter cannot take: an error message, and the value
  * before stays. Several threads need an object each.
  *
@@ -144,7 +144,8 @@ public:
    * usual value for PCL's class, is 0.22 m at 4 m. The default is 0.009, or 1.5 standard
    * deviations of that noise if it is less, or 4.5 if it is more; in frames with more noise than
    * the sensor has at least, those of that (rgbd_planes::noiseIn()). Amid the plane points may
-   * lie 1.15 times as far, at its borders 0.9 times. */
+   * lie 1.15 times as far, at its borders 0.9 times. A plane that is seen at less than 6 degrees
+   * counts as seen at 6, so that points on it may lie farther along the ray. */
   void
   setDistanceThreshold (double distance_threshold);
 

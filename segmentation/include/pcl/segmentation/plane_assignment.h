@@ -64,9 +64,10 @@ constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
  * the image.
  *
  * How near a plane is counts along the viewing ray, where depth errs, in standard
- * deviations of depth; beyond a tolerance it is too far, for pixels 1.15 times that in
- * tiles of which it owns all samples, and 0.9 times in others. A plane is present in a tile
- * of samples and in the eight around it when it owns at least four samples of the tile;
+ * deviations of depth, as if no plane was seen at less than 6 degrees; beyond a tolerance it is
+ * too far, for pixels 1.15 times that in tiles of which it owns all samples, and 0.9 times in
+ * others. A plane is present in a tile of samples and in the eight around it when it owns at least
+ * four samples of the tile;
  * it is out of the question for the pixels of a sample with a trusted normal that
  * disagrees, unless one beside it agrees and it is on another plane or disagrees by less
  * than 60 degrees; and for those of one on a curved surface. Where planes meet
