@@ -60,7 +60,7 @@ RestingThings::find (const OrganizedPoints& points,
     const bool is_in_air =
         Share{end.in_air, end.lines}.isAtLeast (min_in_air) &&
         extent.low > (extent.low_if_round + above_round) * extent.high;
-    if (Share{end.in_air + end.touching, end.lines}.isAtLeast (min_seen) &&
+    if (Share{end.farther + end.touching, end.lines}.isAtLeast (min_seen) &&
         (is_in_air || (Share{end.touching, end.lines}.isAtLeast (min_touching) &&
                        liesOverOthers (things[k], support))))
       things[k].bottom = extent.low;
@@ -71,20 +71,22 @@ RestingThings::Extent
 RestingThings::extentOf (const ObjectCluster& thing, const SupportPlane& support)
 {
   heights_.clear();
+  Extent extent;
   float squared_range = 0.f, rise = 0.f;
   sampleAtMost (thing.runs, max_points_of_thing, [&] (std::size_t i) {
     heights_.push_back (support.plane.distance (points_[i]));
     squared_range += squaredRange (points_[i]);
     rise += elevationOf (points_[i], support.plane.normal);
+    extent.middle += support.project (points_[i]);
   });
   const auto count = static_cast<float> (heights_.size());
   const auto few = static_cast<std::ptrdiff_t> (trimmed_part * count);
   const auto low = heights_.begin() + few, high = heights_.end() - 1 - few;
   std::nth_element (heights_.begin(), low, heights_.end());
-  Extent extent;
   extent.low = *low;
   std::nth_element (low, high, heights_.end());
   extent.high = *high;
+  extent.middle /= count;
   extent.sigma = parameters_.noise.sigma (squared_range / count);
   rise = std::min (std::fabs (rise / count), 1.f);
   extent.low_if_round = 0.5f * (1.f - std::sqrt (1.f - rise * rise));
@@ -129,10 +131,16 @@ RestingThings::lookBelow (std::uint32_t lowest,
       LinkLimit::min_rise, std::fabs (elevationOf (from.data(), support.plane.normal)));
   const float pixels = stretch * static_cast<float> (below->steps);
   const float limit = sigmas * extent.sigma + pixels * pixel_angle_ * range / rise;
-  if (to.norm() > range + limit)
-    end.in_air += support.plane.distance (points_[lowest]) <
-                  extent.low + std::max (parameters_.min_object_height,
-                                         sigmas * extent.sigma * rise);
+  if (to.norm() > range + limit) {
+    if (support.plane.distance (points_[lowest]) <
+        extent.low +
+            std::max (parameters_.min_object_height, sigmas * extent.sigma * rise)) {
+      const Eigen::Vector2f border = support.project (points_[lowest]);
+      ++end.farther;
+      end.in_air += (support.project (points_[below->pixel]) - border)
+                        .dot (extent.middle - border) > 0.f;
+    }
+  }
   else if (to.norm() >= range - limit && other != things_->size()) {
     ++end.touching;
     if (std::find (touched_.begin(), touched_.end(), other) == touched_.end())

@@ -113,6 +113,22 @@ TEST (RestingThings, WhatBulgesOverItsFootStandsOnTheTable)
   EXPECT_NEAR (objects.front().box_size.z(), 0.25f, 0.01f);
 }
 
+TEST (RestingThings, WhatIsSeenFromAboveStandsOnTheTable)
+{
+  const Box below_camera{{0.f, 0.f, 0.66f}, {1.f, 1.f, 0.04f}};
+  for (const float pitch : {1.57f, 1.4f})
+    for (const float noise : {0.f, 0.5f}) {
+      const View view =
+          look ({below_camera, {{0.05f, 0.f, table_height}, {0.08f, 0.12f, 0.16f}}},
+                {1.7f, pitch, 0.f, 640, 480},
+                noise);
+      const Objects objects = extract (view);
+      ASSERT_EQ (objects.size(), 1u) << pitch << ' ' << noise;
+      EXPECT_NEAR (objects.front().box_size.z(), 0.16f, 0.012f)
+          << pitch << ' ' << noise;
+    }
+}
+
 TEST (RestingThings, WhatLacksItsFootStandsOnTheTable)
 {
   const Box box = onTable (1.1f, 0.f, {0.14f, 0.2f, 0.12f});

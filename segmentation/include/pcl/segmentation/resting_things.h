@@ -44,6 +44,8 @@ private:
     /** Another thing that is next to it. */
     std::size_t touching = 0;
     /** Something farther, and it does not end higher than elsewhere. */
+    std::size_t farther = 0;
+    /** Of these, where one looks under it. Seen from above, one looks past it. */
     std::size_t in_air = 0;
   };
 
@@ -52,7 +54,8 @@ private:
     float low = 0.f, high = 0.f;
     /** Where the lower end of a ball or a lying cylinder is seen, in parts of its height. */
     float low_if_round = 0.f;
-    float sigma = 0.f; /**< of depth */
+    float sigma = 0.f;                                /**< of depth */
+    Eigen::Vector2f middle = Eigen::Vector2f::Zero(); /**< on the plane */
   };
 
   Extent
