@@ -70,4 +70,10 @@ cameraPose (float height, float pitch, float roll)
   return pose.pretranslate (Eigen::Vector3f (0.f, 0.f, height));
 }
 
+std::string
+dataFolder ()
+{
+  return PCL_RGBD_PLANES_DATA;
+}
+
 } // namespace synthetic

@@ -64,11 +64,8 @@ subsample (const pcl::PointCloud<PointT>& cloud, unsigned step)
 }
 
 /** The folder with recordings, or empty. */
-inline std::string
-dataFolder ()
-{
-  return PCL_RGBD_PLANES_DATA;
-}
+std::string
+dataFolder ();
 
 /** A camera \a height above the floor, pitched down and rolled clockwise, radians. */
 Eigen::Affine3f
