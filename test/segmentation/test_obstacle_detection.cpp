@@ -212,14 +212,14 @@ TEST (ObstacleDetection, ALighterOnATableIsAnObstacle)
 /** Fine structure is no noise, in which a robot would see nothing. */
 TEST (ObstacleDetection, AFenceIsAnObstacleOnAFloor)
 {
-  constexpr float fence = 1.2f;
+  constexpr float fence = 1.f;
   FloorScene scene (
       {floorAt (0.f), {{-1.f, 0.f, 0.f}, {4.f, 0.f, 0.f}}}, pose, 640, kinectSigma);
   std::vector<std::size_t> wires;
   for (std::size_t i = 0; i < scene.cloud->size(); ++i) {
     const std::size_t u = i % 640, v = i / 640;
     auto& point = (*scene.cloud)[i];
-    if (((u + v) % 20 < 2 || (u + 480 - v) % 20 < 2) && point.z > fence) {
+    if (((u + v) % 16 < 2 || (u + 480 - v) % 16 < 2) && point.z > fence) {
       point.getVector3fMap() *= fence / point.z;
       wires.push_back (i);
     }
