@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <random>
 #include <string>
 
 using namespace tangent_images;
