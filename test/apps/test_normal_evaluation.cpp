@@ -5,6 +5,7 @@
 
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/normal_comparison.h>
+#include <pcl/common/angles.h>
 #include <pcl/common/io.h>
 #include <pcl/simulation/simulate.h>
 
