@@ -132,14 +132,13 @@ RestingThings::lookBelow (std::uint32_t lowest,
   const float pixels = stretch * static_cast<float> (below->steps);
   const float limit = sigmas * extent.sigma + pixels * pixel_angle_ * range / rise;
   if (to.norm() > range + limit) {
-    if (support.plane.distance (points_[lowest]) <
-        extent.low +
-            std::max (parameters_.min_object_height, sigmas * extent.sigma * rise)) {
-      const Eigen::Vector2f border = support.project (points_[lowest]);
-      ++end.farther;
-      end.in_air += (support.project (points_[below->pixel]) - border)
-                        .dot (extent.middle - border) > 0.f;
-    }
+    const bool is_low = support.plane.distance (from.data()) <
+                        extent.low + std::max (parameters_.min_object_height,
+                                               sigmas * extent.sigma * rise);
+    const Eigen::Vector2f border = support.project (from.data());
+    const Eigen::Vector2f behind = support.project (to.data());
+    end.farther += is_low;
+    end.in_air += is_low && (behind - border).dot (extent.middle - border) > 0.f;
   }
   else if (to.norm() >= range - limit && other != things_->size()) {
     ++end.touching;

@@ -3,6 +3,8 @@
 
 #include "table_scenes.h"
 
+#include "synthetic_clouds.h"
+
 #include <algorithm>
 #include <limits>
 #include <random>
@@ -46,15 +48,7 @@ meet (const Box& box, const Eigen::Vector3f& eye, const Eigen::Vector3f& ray)
 Eigen::Affine3f
 Camera::toBase() const
 {
-  Eigen::Matrix3f axes; // of a camera that looks along x
-  axes << 0.f, 0.f, 1.f, -1.f, 0.f, 0.f, 0.f, -1.f, 0.f;
-  const Eigen::Matrix3f turned =
-      Eigen::AngleAxisf (pitch_down, Eigen::Vector3f::UnitY()) * axes *
-      Eigen::AngleAxisf (roll, Eigen::Vector3f::UnitZ()).toRotationMatrix();
-  Eigen::Affine3f to_base = Eigen::Affine3f::Identity();
-  to_base.linear() = turned;
-  to_base.translation().z() = height;
-  return to_base;
+  return synthetic::cameraPose (height, pitch_down, roll);
 }
 
 std::set<pcl::index_t>
