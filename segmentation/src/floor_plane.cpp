@@ -12,6 +12,12 @@ namespace rgbd_planes {
 
 namespace {
 
+/** A level that lies lower by so many metres (and standard deviations of depth, as below), and has
+ * this part of the points of the one above it, is not a part of that. */
+constexpr float min_step_m = 0.01f;
+constexpr std::size_t part_of_points = 10;
+/** It is the floor if it is nearer to z = 0 by so much, as a share of what the floor may be off. */
+constexpr float min_nearer = 0.2f;
 /** Noise tilts even small planes of the floor by no more than this. */
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
@@ -58,12 +64,13 @@ FloorPlane::find (const OrganizedPoints& points,
   sample (points, planes, noise);
   for (const auto& point : points_) {
     Samples& samples = samples_[point.plane];
+    const float sigma = noise.sigma (squaredRange (point.point));
     samples.height += point.weight * heightAbove (height, point.point);
     samples.sigmas_in_base +=
         point.weight *
-        heightOnRay (planes.coefficients[point.plane], height, point.point) /
-        noise.sigma (squaredRange (point.point));
+        heightOnRay (planes.coefficients[point.plane], height, point.point) / sigma;
     samples.weight += point.weight;
+    samples.sigma += point.weight * sigma;
     ++samples.points;
   }
 
@@ -71,32 +78,50 @@ FloorPlane::find (const OrganizedPoints& points,
   // That of pi / 2 as a float is negative, as are those of ceilings.
   const float min_cosine = std::max (std::cos (max_angle), 0.f);
   float largest_weight = 0.f;
-  std::size_t floor = 0;
-  found_ = false;
-  coefficients_.setZero();
+  std::size_t floor = samples_.size();
   for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const Samples& samples = samples_[k];
+    Samples& samples = samples_[k];
     const Eigen::Vector4f& plane = planes.coefficients[k];
     const float cosine = plane.head<3>().dot (height.head<3>());
     if (samples.points == 0 || plane[3] < min_camera_height || cosine < min_cosine)
       continue;
     // An error of the pose turns far points away from z = 0, one of the plane what is below
     // the robot.
-    const float off = std::min (std::abs (samples.height) / samples.weight,
-                                std::abs (heightAbove (plane, base.data())) / cosine);
-    const float nearness = std::max (1.f - off / max_height, 0.f);
+    samples.off_zero = std::min (std::abs (samples.height) / samples.weight,
+                                 std::abs (heightAbove (plane, base.data())) / cosine);
+    const float nearness = std::max (1.f - samples.off_zero / max_height, 0.f);
     const float weight = samples.weight * nearness * nearness;
     if (!(weight > largest_weight))
       continue;
-    found_ = true;
-    coefficients_ = plane;
     floor = k;
     largest_weight = weight;
   }
-  if (found_)
+  found_ = floor < samples_.size();
+  coefficients_.setZero();
+  if (found_) {
+    floor = lowerLevel (floor, max_height);
+    coefficients_ = planes.coefficients[floor];
     compare (planes, noise, floor);
+  }
   const bool is_above_zero = height[3] >= min_camera_height;
   reference_ = found_ || !is_above_zero ? coefficients_ : height;
+}
+
+/** A step, sill or platform before the robot weighs more than the floor that it stands on. */
+std::size_t
+FloorPlane::lowerLevel (std::size_t floor, float max_height) const
+{
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const Samples &upper = samples_[floor], &lower = samples_[k];
+    const float step = upper.height / upper.weight - lower.height / lower.weight;
+    const float min_step =
+        std::max (min_step_m, large_part_sigmas * lower.sigma / lower.weight);
+    const float nearer = std::max (min_step_m, min_nearer * max_height);
+    if (step > min_step && lower.off_zero + nearer < upper.off_zero &&
+        part_of_points * lower.points >= upper.points)
+      floor = k;
+  }
+  return floor;
 }
 
 void

@@ -187,6 +187,20 @@ TEST (FloorPlane, TheFloorIsNearTheRobotWhereALowPlatformFillsTheView)
   }
 }
 
+TEST (FloorPlane, AStepBeforeTheRobotIsNoFloor)
+{
+  // It fills the near part of the view, and its points weigh most.
+  for (const float height : {0.025f, 0.04f}) {
+    Patch step = floorAt (height), floor = floorAt (0.f);
+    step.covers = [] (const Eigen::Vector3f& p) { return p.x() < 0.9f; };
+    floor.covers = [] (const Eigen::Vector3f& p) { return p.x() >= 0.9f; };
+    const FloorScene scene ({step, floor}, cameraPose (0.4f, 0.35f), 320);
+    const Result result = detect (scene);
+    EXPECT_EQ (share (scene, result, 0, 0, ObstacleClass::obstacle), 1.) << height;
+    EXPECT_EQ (share (scene, result, 1, 1, ObstacleClass::floor), 1.) << height;
+  }
+}
+
 TEST (FloorPlane, APointAtTheSensorDoesNotChooseTheFloor)
 {
   FloorScene scene (only_floor, pose, 320);

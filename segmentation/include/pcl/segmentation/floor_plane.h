@@ -66,7 +66,9 @@ public:
    * within \a max_angle (radians) and that is at z = 0 within \a max_height (metres), in
    * the weighted mean of its points or below the base, the one whose points have the largest
    * weight in all. A weight falls with the fourth power of range, for a robot stands on what
-   * is near, and with the square of how far off the plane is within \a max_height.
+   * is near, and with the square of how far off the plane is within \a max_height. Where another
+   * one lies lower than that, and is nearer to z = 0, it is the floor: a step before the robot is
+   * nearer than the floor that it stands on.
    *
    * The points of about 80 columns and 60 rows are looked at.
    */
@@ -149,8 +151,10 @@ private:
     std::size_t off = 0; // above or below the floor
     // Sums of weights, and of weighted heights in the base frame.
     float weight = 0.f, height = 0.f;
-    // The same of how far the plane is above z = 0, in standard deviations of depth.
-    float sigmas_in_base = 0.f;
+    // The same of how far the plane is above z = 0, in standard deviations of depth, and of these.
+    float sigmas_in_base = 0.f, sigma = 0.f;
+    // How far the plane is from z = 0; infinite where it cannot be the floor.
+    float off_zero = std::numeric_limits<float>::infinity();
     // Weighted sums of how far the plane is above the floor, in metres, then the level, and
     // in standard deviations of depth.
     float level = 0.f, sigmas = 0.f;
@@ -169,6 +173,10 @@ private:
     int u, v;     // in the grid of samples
     float weight; // 1 / range^4: what is near the robot decides
   };
+
+  /** The plane \a floor, or a lower one that is nearer to z = 0. */
+  std::size_t
+  lowerLevel (std::size_t floor, float max_height) const;
 
   /** Takes usable points on planes. */
   void
