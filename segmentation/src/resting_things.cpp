@@ -22,8 +22,8 @@ constexpr float min_heights = 2.f;
 constexpr float min_sigmas = 10.f;
 /** So much of its lower end is seen. */
 constexpr double min_seen = 0.75;
-/** Either such a part of that is in mid-air, higher in parts of its height, by so much, than that of
- * a round thing on the plane would be: seen at a flat angle, surfaces lack depth. */
+/** Either such a part of that is in mid-air, higher in parts of its height, by so much, than
+ * that of a round thing on the plane would be: seen at a flat angle, surfaces lack depth. */
 constexpr double min_in_air = 0.25;
 constexpr float above_round = 0.25f;
 /** ... or touches other things, over which so many of its points lie. */
@@ -32,6 +32,8 @@ constexpr double min_over = 0.5;
 /** What is next to each other differs in range by noise, and by so many widths of a pixel. */
 constexpr float sigmas = 3.f;
 constexpr float stretch = 1.5f;
+/** Sides that pixels of noise lean inwards go under their tops by no more of their height. */
+constexpr float max_side_slope = 0.1f;
 
 } // namespace
 
@@ -138,7 +140,13 @@ RestingThings::lookBelow (std::uint32_t lowest,
     const Eigen::Vector2f border = support.project (from.data());
     const Eigen::Vector2f behind = support.project (to.data());
     end.farther += is_low;
-    end.in_air += is_low && (behind - border).dot (extent.middle - border) > 0.f;
+    // The side of a thing that is seen flatly may be behind the border of its top.
+    const float drop =
+        support.plane.distance (from.data()) - support.plane.distance (to.data());
+    const float under =
+        (behind - border).dot ((extent.middle - border).stableNormalized());
+    end.in_air +=
+        is_low && under > pixels * pixel_angle_ * range + max_side_slope * drop;
   }
   else if (to.norm() >= range - limit && other != things_->size()) {
     ++end.touching;

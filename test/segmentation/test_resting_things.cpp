@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 #include <utility>
+#include <vector>
 
 using namespace table_objects;
 
@@ -127,6 +129,38 @@ TEST (RestingThings, WhatIsSeenFromAboveStandsOnTheTable)
       EXPECT_NEAR (objects.front().box_size.z(), 0.16f, 0.012f)
           << pitch << ' ' << noise;
     }
+}
+
+TEST (RestingThings, SidesThatAreSeenFlatlyAreNotInMidAir)
+{
+  std::mt19937 generator (1);
+  const auto between = [&generator] (float low, float high) {
+    return std::uniform_real_distribution<float> (low, high) (generator);
+  };
+  int wrong = 0, all = 0;
+  for (int k = 0; k < 40; ++k) {
+    std::vector<Box> boxes{{{0.f, 0.f, 0.66f}, {2.f, 2.f, 0.04f}}};
+    for (const float x : {-0.09f, 0.09f})
+      for (const float y : {-0.12f, 0.f, 0.12f})
+        boxes.push_back (
+            {{x + between (-0.02f, 0.02f), y + between (-0.02f, 0.02f), table_height},
+             {between (0.05f, 0.1f), between (0.05f, 0.1f), between (0.03f, 0.07f)},
+             between (0.f, 3.f)});
+    const float height = table_height + between (0.35f, 0.6f);
+    const float pitch = between (1.4f, 1.57f);
+    const View view = look (boxes, {height, pitch, 0.f, 640, 480}, between (0.5f, 1.f));
+    for (const auto& object : extract (view)) {
+      if (object.truncated)
+        continue;
+      for (int box = 1; box < 7; ++box)
+        if (iou (object, view, box) > 0.7) {
+          ++all;
+          wrong += std::abs (object.box_size.z() - boxes[box].size.z()) > 0.015f;
+        }
+    }
+  }
+  EXPECT_GT (all, 150);
+  EXPECT_EQ (wrong, 0) << "of " << all;
 }
 
 TEST (RestingThings, WhatLacksItsFootStandsOnTheTable)
