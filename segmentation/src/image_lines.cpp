@@ -23,6 +23,9 @@ constexpr float max_distortion = 1.2f;
 /** Of the pixels of a camera, a smaller part has no depth between two that have. */
 constexpr double most_gaps = 0.02;
 
+/** In lines of a margin, a smaller part of the pixels has depth, of those that are looked at. */
+constexpr int part_measured = 50, pixels_apart = 4;
+
 /** The points of some rows or columns of an image. */
 struct Lines {
   const float*
@@ -85,7 +88,32 @@ meanAngle (const Lines& lines)
   return pixels ? angles / static_cast<float> (pixels) : 0.f;
 }
 
+/** How many lines from \a first on, each \a step from the one before, are of a margin. */
+std::uint32_t
+marginFrom (int first, int step, const Lines& lines)
+{
+  std::uint32_t margin = 0;
+  for (int line = first; line >= 0 && line < lines.number; line += step, ++margin) {
+    int measured = 0;
+    for (int k = 0; k < lines.length; k += pixels_apart)
+      measured += isMeasured (lines.point (line, k));
+    if (part_measured * pixels_apart * measured > lines.length)
+      break;
+  }
+  return margin;
+}
+
 } // namespace
+
+ImageMargins
+marginsOf (const OrganizedPoints& points)
+{
+  const Lines rows = rowsOf (points), columns = columnsOf (points);
+  return {marginFrom (0, 1, columns),
+          marginFrom (columns.number - 1, -1, columns),
+          marginFrom (0, 1, rows),
+          marginFrom (rows.number - 1, -1, rows)};
+}
 
 float
 meanPixelAngle (const OrganizedPoints& points)

@@ -4,14 +4,21 @@
 #pragma once
 
 #include <pcl/features/organized_view.h>
+#include <pcl/segmentation/image_margins.h>
 
 namespace pcl {
 namespace rgbd_planes {
 
 // What a few rows and columns of an image tell of the sensor that took it.
 
-/** \brief Images of cameras have margins without depth; each is at most this part of the image. */
+/** \brief Images of cameras have ragged margins with little depth; each is at most this part of
+ * the image. */
 constexpr int part_of_margin = 20;
+
+/** \brief The rows and columns at the borders of an image in which next to nothing is measured, as
+ * what only one of two cameras sees. */
+ImageMargins
+marginsOf (const OrganizedPoints& points);
 
 /** \brief The angle between the rays of neighbouring pixels, in radians; 0 where no two are
  * measured. Where rows are farther apart than columns, as those of laser scanners are, it is that

@@ -39,10 +39,23 @@ ObjectClusters::compute (const OrganizedPoints& points,
   if (!supports.planes().empty()) {
     markBackground();
     pixel_angle_ = meanPixelAngle (points);
+    findMargins();
     findRuns (selected);
     sumUp();
   }
   collect();
+}
+
+/** Those without depth, and as much beside them as is ragged. */
+void
+ObjectClusters::findMargins()
+{
+  margins_ = marginsOf (points_);
+  const auto height = static_cast<std::uint32_t> (points_.height);
+  margins_.left += width_ / part_of_margin + 1;
+  margins_.right += width_ / part_of_margin + 1;
+  margins_.above += height / part_of_margin + 1;
+  margins_.below += height / part_of_margin + 1;
 }
 
 void
@@ -188,14 +201,12 @@ std::size_t
 ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
 {
   const auto height = static_cast<std::uint32_t> (points_.height);
-  const std::uint32_t margin_u = width_ / part_of_margin + 1,
-                      margin_v = height / part_of_margin + 1;
   const std::uint32_t u = run.first % width_, v = run.first / width_;
   const std::uint32_t end = run.first + run.length;
-  const bool is_near = step == -1               ? u < margin_u
-                       : step == 1              ? u + run.length + margin_u > width_
-                       : step == -points_.width ? v < margin_v
-                                                : v + margin_v >= height;
+  const bool is_near = step == -1  ? u < margins_.left
+                       : step == 1 ? u + run.length + margins_.right > width_
+                       : step == -points_.width ? v < margins_.above
+                                                : v + margins_.below >= height;
   if (!is_near)
     return 0;
   // Along the run, only its end can be next to the border.

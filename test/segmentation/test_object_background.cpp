@@ -324,6 +324,8 @@ TEST (ObjectBackground, WhatTheImageCutsIsTruncatedAndNotGraspable)
   for (const float side : {1.f, -1.f}) {
     EXPECT_TRUE (isTruncated (side * 0.8f, 0));
     EXPECT_TRUE (isTruncated (side * 0.75f, 10));
+    EXPECT_TRUE (isTruncated (side * 0.65f, 30));
+    EXPECT_FALSE (isTruncated (side * 0.4f, 30));
   }
 }
 
