@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include "uneven_surface.h"
-
 #include <pcl/segmentation/plane_extraction.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pcl {
 namespace rgbd_planes {
 
 namespace {
 
-/** Cells of the normal-space grid hold at least this share of all samples. */
-constexpr double min_cell_share = 2.5e-4;
 /** Clusters merge within no more, however far normals scatter. */
 constexpr double max_angular_threshold = M_PI / 2.;
 /** Normals left by the first round, most of them of far or small planes, scatter so much
@@ -30,9 +25,6 @@ constexpr double min_candidate_share = 0.15;
 constexpr float growth_reach = 1.15f;
 /** Both sides of a step in a plane have this share of min_inliers. */
 constexpr double min_step_share = 0.4;
-/** The mean square of the errors of points on a curved surface, in standard deviations,
- * is larger. */
-constexpr double min_error_if_curved = 0.45;
 /** The square of the range whose noise stands for all where it may not grow. */
 constexpr float squared_usual_range = 9.f;
 /** More standard deviations than any point is from a plane. */
@@ -146,8 +138,9 @@ PlaneExtraction::findParts()
       min_candidate_share * parameters_.min_inliers / (samples_.step * samples_.step);
   const auto min_candidate =
       std::max (static_cast<std::size_t> (std::ceil (candidate)), std::size_t{3});
-  const auto min_cell = static_cast<std::size_t> (
-      min_cell_share * static_cast<double> (samples_.width * samples_.height));
+  const auto min_cell =
+      static_cast<std::size_t> (parameters_.min_cell_share *
+                                static_cast<double> (samples_.width * samples_.height));
   auto start = std::chrono::steady_clock::now();
   const int rounds = parameters_.additions.repeat ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
@@ -244,62 +237,6 @@ PlaneExtraction::giveToJoined()
     if (owner >= 0)
       owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
   findTileParts (owners_, parts_);
-}
-
-/** Whether the plane is part of a curved surface, or lies in an uneven one, and the points
- * that it got in the end are not those of a flat one. */
-bool
-PlaneExtraction::isPatch (std::size_t plane) const
-{
-  const PlaneMoments& points = assignment_.weightedMoments()[plane];
-  const double error = points.meanSquaredError (points.inverseDistance());
-  return parameters_.additions.patches &&
-         ((patches_.isPatch (plane) && error > min_error_if_curved) ||
-          (parameters_.additions.assignment &&
-           isUneven (points,
-                     error,
-                     assignment_.nearNormals (plane),
-                     parameters_.min_near_normals)));
-}
-
-/** Drops planes that too few points determine, sorts the others, and fits them. */
-void
-PlaneExtraction::finish (std::size_t width)
-{
-  const auto& sums = assignment_.moments();
-  order_.resize (sums.size());
-  std::iota (order_.begin(), order_.end(), 0u);
-  const std::size_t min_points = std::max<std::size_t> (parameters_.min_inliers, 3);
-  const auto dropWhere = [&] (const auto& is_dropped) {
-    const auto end = std::remove_if (order_.begin(), order_.end(), is_dropped);
-    const auto dropped = static_cast<std::size_t> (order_.end() - end);
-    order_.erase (end, order_.end());
-    return dropped;
-  };
-  // What StepSplit joined to another plane is left without points.
-  dropWhere ([&] (std::uint32_t k) { return moments_[k].points == 0; });
-  rejections_.too_few_points += dropWhere ([&] (std::uint32_t k) {
-    return sums[k].points < min_points ||
-           !assignment_.weightedMoments()[k].determinePlane();
-  });
-  rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isPatch (k); });
-  std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {
-    return sums[a].points != sums[b].points ? sums[a].points > sums[b].points : a < b;
-  });
-
-  numbers_.assign (sums.size(), unlabelled);
-  planes_.clear();
-  moments_.clear();
-  parameter_covariances_.clear();
-  for (const std::uint32_t k : order_) {
-    numbers_[k] = static_cast<std::uint32_t> (moments_.size());
-    const PlaneMoments& weighted = assignment_.weightedMoments()[k];
-    const Eigen::Vector3d m = weighted.inverseDistance();
-    planes_.push_back (planeOf (m));
-    moments_.push_back (sums[k]);
-    parameter_covariances_.push_back (parameterCovariance (weighted, m));
-  }
-  runs_.find (assignment_.labels(), width, numbers_);
 }
 
 } // namespace rgbd_planes

@@ -86,10 +86,6 @@ PlaneSamples::compute (const OrganizedPoints& points,
     return (selected.empty() || selected[pixel]) &&
            square > DepthNoise::min_squared_range && square <= farthest;
   };
-  const auto isUnit = [&] (std::size_t pixel) {
-    const float square = squaredRange (normals[pixel]);
-    return square > min_normal_square && square < max_normal_square;
-  };
   missing_.clear();
   const auto stride = static_cast<std::size_t> (step);
   for (int v = 0; v < height; ++v) {
@@ -107,11 +103,13 @@ PlaneSamples::compute (const OrganizedPoints& points,
       const bool is_usable = isUsable (pixel);
       if (is_usable)
         copyPixel (points, normals, pixel, at (u, v));
-      if (step > 1 && !(is_usable && isUnit (pixel)))
+      if (step > 1 && !(is_usable && isUnit (normals[pixel])))
         missing_.push_back ({u, v, is_usable});
     }
   }
-  const auto isComplete = [&] (std::size_t i) { return isUsable (i) && isUnit (i); };
+  const auto isComplete = [&] (std::size_t i) {
+    return isUsable (i) && isUnit (normals[i]);
+  };
   for (const auto [u, v, has_point] : missing_) {
     std::size_t pixel = findPixel (points, u, v, isComplete);
     if (pixel == points.size() && !has_point)

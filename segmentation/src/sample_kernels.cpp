@@ -48,9 +48,8 @@ judgeSamplesHere (PlaneSamples& samples,
                 Floats(),
                 &samples.weight[i]);
     const V square = squaredLength (normals);
-    const Mask has_normal =
-        hn::And (hn::Gt (square, set (PlaneSamples::min_normal_square)),
-                 hn::Lt (square, set (PlaneSamples::max_normal_square)));
+    const Mask has_normal = hn::And (hn::Gt (square, set (min_normal_square)),
+                                     hn::Lt (square, set (max_normal_square)));
     // Sums of normals need one sign: towards the sensor.
     const Mask faces_away = hn::Gt (dot (points, normals), hn::Zero (Floats()));
     const V sign = hn::IfThenElse (faces_away, set (-1.f), set (1.f));

@@ -87,6 +87,7 @@ setAny (FuzzedDataProvider& data,
   segmentation.setMaximumCurvature (anyFloat (data));
   segmentation.setMinimumNearNormals (anyFloat (data));
   segmentation.setDepthNoise (anyNoise (data));
+  segmentation.setMinimumCellShare (anyFloat (data));
   segmentation.setNormalSpaceGrid (data.ConsumeBool() ? Grid::voxels : Grid::spherical);
   segmentation.setProjectPoints (data.ConsumeBool());
 }

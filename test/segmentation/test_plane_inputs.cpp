@@ -154,6 +154,23 @@ TEST (PlaneInputs, NoMillimetresAreToldOfOneFarPlaneOrAFarSensor)
   }
 }
 
+TEST (PlaneInputs, PointsBeyondTheRangeOfTheSensorAreToldOnceInARow)
+{
+  Ours segmentation;
+  segmentation.setDepthNoise (pcl::rgbd_planes::DepthNoise::structuredLight());
+  const auto warningAt = [&segmentation] (float distance) {
+    Result result;
+    testing::internal::CaptureStderr();
+    segment (segmentation, render ({tiltedPlane (distance, 0.f, 0.f)}).cloud, result);
+    return testing::internal::GetCapturedStderr();
+  };
+  for (int stream = 0; stream < 2; ++stream) {
+    EXPECT_EQ (warningAt (2.f), "");
+    EXPECT_NE (warningAt (4.f).find ("beyond 3.5 m"), std::string::npos);
+    EXPECT_EQ (warningAt (4.f), "");
+  }
+}
+
 TEST (PlaneInputs, NormalsMayFaceAway)
 {
   const Scene scene = render (corner(), 320, 240, kinectSigma);

@@ -21,7 +21,36 @@ TEST (PlaneSettings, Defaults)
   EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
   EXPECT_EQ (segmentation.getNormalSpaceGrid(),
              pcl::rgbd_planes::NormalSpaceGrid::voxels);
+  EXPECT_EQ (segmentation.getMinimumCellShare(), 2.5e-4);
   EXPECT_FALSE (segmentation.getProjectPoints());
+}
+
+/** A wall, and a board that is a hundredth of the image. */
+TEST (PlaneSettings, CellsWithFewPointsStartNoCluster)
+{
+  const std::vector<Surface> surfaces{tiltedPlane (2.f, 0.f, 20.f),
+                                      board (140, 172, 100, 124)};
+  const Scene scene = render (surfaces, 320, 240);
+  Ours segmentation;
+  segmentation.setMinInliers (250);
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (trueNormals (scene, surfaces));
+  const auto numberOfPlanes = [&segmentation] {
+    Result result;
+    segment (segmentation, result);
+    return result.models.size();
+  };
+  for (const double share : {0., 2.5e-4, 0.005}) {
+    segmentation.setMinimumCellShare (share);
+    EXPECT_EQ (segmentation.getMinimumCellShare(), share);
+    EXPECT_EQ (numberOfPlanes(), 2u) << share;
+  }
+  segmentation.setMinimumCellShare (0.02);
+  EXPECT_EQ (numberOfPlanes(), 1u);
+  for (const double wrong : {-0.1, 1.1, std::nan ("")}) {
+    segmentation.setMinimumCellShare (wrong);
+    EXPECT_EQ (segmentation.getMinimumCellShare(), 0.02);
+  }
 }
 
 TEST (PlaneSettings, DepthNoiseSaysHowFarPointsSpread)

@@ -62,5 +62,16 @@ squaredRange (const float* point)
   return point[0] * point[0] + point[1] * point[1] + point[2] * point[2];
 }
 
+/** \brief The square of the length of normals that count: of unit length, to 5 %. */
+constexpr float min_normal_square = 0.9f, max_normal_square = 1.1f;
+
+/** \brief Whether \a normal is one that counts. */
+inline bool
+isUnit (const float* normal)
+{
+  const float square = squaredRange (normal);
+  return square > min_normal_square && square < max_normal_square;
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

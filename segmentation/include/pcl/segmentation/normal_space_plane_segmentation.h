@@ -54,9 +54,10 @@ namespace pcl {
  *
  * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, normals that are
  * missing or of another size, or an index outside of the cloud: an error message and empty
- * outputs. All points farther off than 100 m, or no planes while no normal is of unit length: a
- * warning, once for frames in a row. What a setter cannot take: an error message, and the value
- * before stays. Several threads need an object each.
+ * outputs. All points farther off than 100 m, or no planes while no normal is of unit length or
+ * all points are beyond the range of the sensor: a warning, once for frames in a row. What a
+ * setter cannot take: an error message, and the value before stays. Several threads need an
+ * object each.
  *
  * \ingroup segmentation
  */
@@ -224,6 +225,25 @@ public:
     return parameters_.grid;
   }
 
+  /** \brief The minimum of points in a cell of that grid (section 4.1 of the paper), as a share
+   * of all pixels; 0 to 1 (others: an error message), default 0.00025, 0 takes all cells with
+   * points. */
+  void
+  setMinimumCellShare (double share)
+  {
+    rgbd_planes::setParameter (getClassName() + "::setMinimumCellShare",
+                               share,
+                               parameters_.min_cell_share,
+                               rgbd_planes::Zero::allowed,
+                               1.);
+  }
+
+  double
+  getMinimumCellShare () const
+  {
+    return parameters_.min_cell_share;
+  }
+
   /** \brief Whether points of contours are moved onto their plane, along their viewing rays
    * as ProjectOntoPlanes does by default; default false: they are points of the input. */
   void
@@ -383,7 +403,7 @@ private:
   findPlanes ();
 
   void
-  warnOfUnits ();
+  warnOfInput ();
 
   /** \brief Whether the last call was for the input as it is now. */
   bool
@@ -410,7 +430,8 @@ private:
   Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
   std::uint32_t width_ = 0;
-  bool is_warned_of_normals_ = false, is_warned_of_range_ = false;
+  bool is_warned_of_normals_ = false, is_warned_of_units_ = false,
+       is_warned_of_range_ = false;
   std::vector<double> rms_;
 
   // Memory that is used again:

@@ -46,6 +46,8 @@ struct PlaneExtractionParameters {
    * far off. */
   double min_near_normals = 0.75;
   NormalSpaceGrid grid = NormalSpaceGrid::voxels;
+  /** Cells of that grid with a smaller share of all points belong to no cluster. */
+  double min_cell_share = 2.5e-4;
   DepthNoise noise = DepthNoise::kinectV1();
   PlaneAdditions additions;
 
@@ -60,8 +62,9 @@ struct PlaneExtractionParameters {
   }
 };
 
-/** \brief Why candidates did not become planes: how many in the last frame. What is left over is
- * tried twice, so that a surface may be two candidates. */
+/** \brief Why candidates did not become planes: how many in the last frame. Candidates have 15 %
+ * of the smallest number of inliers, or more. What is left over is tried twice, so that a surface
+ * may be two candidates. */
 struct PlaneRejections {
   /** The plane had too few points, or points in a line, which determine none. */
   std::size_t too_few_points = 0;
@@ -174,6 +177,9 @@ private:
 
   bool
   isPatch (std::size_t plane) const;
+
+  bool
+  isLarge (const PlaneMoments& points) const;
 
   void
   finish (std::size_t width);

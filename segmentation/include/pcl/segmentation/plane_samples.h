@@ -31,8 +31,6 @@ public:
   /** \brief Points along the side of a tile. */
   static constexpr int tile_side = 4;
   static constexpr std::size_t tile_size = 16;
-  /** \brief The square of the length of normals that count, to 5 %. */
-  static constexpr float min_normal_square = 0.9f, max_normal_square = 1.1f;
 
   /** \brief Reads the points.
    * \param[in] points in a frame whose origin is the sensor

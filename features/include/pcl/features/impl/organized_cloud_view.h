@@ -11,6 +11,7 @@
 #include <pcl/type_traits.h>
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -65,19 +66,25 @@ normalOutput (pcl::PointCloud<PointT>& cloud)
       &first.normal_x, &first.curvature, stride, std::is_same_v<PointT, pcl::Normal>};
 }
 
-/** \brief Whether there are normals, also of length 0, but none of unit length, to 5 %. */
+/** \brief Whether a normal is of unit length. */
+template <typename PointT>
+bool
+hasUnit (const pcl::PointCloud<PointT>& normals)
+{
+  return std::any_of (normals.begin(), normals.end(), [] (const PointT& normal) {
+    return isUnit (&normal.normal_x);
+  });
+}
+
+/** \brief Whether there are normals, also of length 0, but none of unit length. */
 template <typename PointT>
 bool
 noneIsUnit (const pcl::PointCloud<PointT>& normals)
 {
-  bool any = false;
-  for (const PointT& normal : normals) {
-    const float length = std::sqrt (squaredRange (&normal.normal_x));
-    if (std::abs (length - 1.f) < 0.05f)
-      return false;
-    any |= std::isfinite (length);
-  }
-  return any;
+  return !hasUnit (normals) &&
+         std::any_of (normals.begin(), normals.end(), [] (const PointT& normal) {
+           return std::isfinite (squaredRange (&normal.normal_x));
+         });
 }
 
 /** \brief What to tell a user whose cloud of \a size points is not an image that holds all of

@@ -10,6 +10,7 @@
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace pcl {
@@ -87,7 +88,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::findPlanes()
       plane_extraction_.shift (sensor_origin_.head<3>());
     sensor_orientation_ = input_->sensor_orientation_;
     width_ = input_->width;
-    warnOfUnits();
+    warnOfInput();
   }
   else
     plane_extraction_ = rgbd_planes::PlaneExtraction();
@@ -96,24 +97,35 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::findPlanes()
 
 template <typename PointT, typename PointNT, typename PointLT>
 void
-NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfUnits()
+NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfInput()
 {
   constexpr float farther_than_any_room = 100.f;
+  const auto areAllFarther = [this] (float range) {
+    return rgbd_planes::areAllFarther (
+        range, sensor_origin_.head<3>(), rgbd_planes::viewPoints (*input_));
+  };
+  const bool are_none = plane_extraction_.planes().empty();
   const bool have_no_length =
-      plane_extraction_.planes().empty() && rgbd_planes::noneIsUnit (*normals_);
+      are_none && !rgbd_planes::hasUnit (*normals_) && areAllFarther (0.f);
   if (rgbd_planes::isFirstInARow (have_no_length, is_warned_of_normals_))
     PCL_WARN (
         "[pcl::%s] There are no planes, for no normal has a length of 1: give unit "
         "normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
-  const bool are_far = rgbd_planes::areAllFarther (farther_than_any_room,
-                                                   sensor_origin_.head<3>(),
-                                                   rgbd_planes::viewPoints (*input_));
-  if (rgbd_planes::isFirstInARow (are_far, is_warned_of_range_))
+  const float max_range = parameters_.noise.max_range;
+  const bool are_far = areAllFarther (farther_than_any_room);
+  const bool are_beyond = are_none && !are_far && areAllFarther (max_range);
+  if (rgbd_planes::isFirstInARow (are_far, is_warned_of_units_))
     PCL_WARN (
         "[pcl::%s] All points are more than 100 m away: give points in metres, are "
         "these millimetres?\n",
         getClassName().c_str());
+  if (rgbd_planes::isFirstInARow (are_beyond, is_warned_of_range_))
+    PCL_WARN (
+        "[pcl::%s] There are no planes, for all points are beyond %g m, the range of "
+        "the sensor: give one of more range to setDepthNoise.\n",
+        getClassName().c_str(),
+        max_range);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>
