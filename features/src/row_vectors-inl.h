@@ -25,8 +25,9 @@ constexpr float reach_sigmas = 3.f;
 /** A plane whose window bends by this angle, in radians, counts half. */
 constexpr float half_weight_bend = 0.2f;
 constexpr float sharpness = 1.f / (half_weight_bend * half_weight_bend);
-/** Points nearer or farther are taken for missing ones; their squares still are floats. */
-constexpr float nearest_range = 1e-15f;
+/** Points nearer, which are missing ones but for what is rounded, or farther are taken for missing
+ * ones; the squares of the farthest still are floats. */
+constexpr float nearest_range = 1e-6f;
 constexpr float farthest_range = 1e15f;
 
 HWY_INLINE void

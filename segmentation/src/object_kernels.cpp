@@ -71,7 +71,7 @@ placesOf (const Points& p,
   const V noise =
       hn::Mul (set (plane_sigmas), sigmaOf (parameters.noise, squared_range));
   Mask is_open =
-      hn::And (hn::Gt (squared_range, hn::Zero (Floats())),
+      hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
                hn::Le (squared_range, set (parameters.noise.maxSquaredRange())));
   auto place = hn::Set (Ints(), 1);
   for (std::size_t number = 0; number < planes.size(); ++number) {

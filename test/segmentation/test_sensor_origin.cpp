@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -31,6 +32,7 @@ struct Results {
       pcl::make_shared<pcl::PointCloud<pcl::Label>>();
   std::vector<pcl::SupportedObject> objects;
   std::vector<pcl::rgbd_planes::Obstacle> obstacles;
+  std::vector<pcl::rgbd_planes::ObstacleClass> classes;
   Eigen::Vector4f floor;
   Cloud projected;
 
@@ -53,6 +55,7 @@ struct Results {
     detection.setInputPlanes (models, labels);
     detection.detect (obstacles);
     floor = detection.getFloor();
+    classes = detection.getClasses();
     pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
     projection.setInputCloud (cloud);
     projection.setPlanes (models, inliers);
@@ -78,18 +81,40 @@ protected:
     pcl::transformPointCloud (
         *cloud, *shifted, Eigen::Affine3f (Eigen::Translation3f (place)));
     shifted->sensor_origin_.head<3>() = place;
-    Eigen::Affine3f from_shifted = frame.camera_to_base;
-    from_shifted.translate (-place);
+    shifted_to_base = frame.camera_to_base;
+    shifted_to_base.translate (-place);
     at_origin = std::make_unique<Results> (cloud, frame.camera_to_base);
-    elsewhere = std::make_unique<Results> (shifted, from_shifted);
+    elsewhere = std::make_unique<Results> (shifted, shifted_to_base);
   }
 
   // Nothing is rounded but the coordinates.
   const Eigen::Vector3f place{0.5f, -2.f, 1.f};
+  Eigen::Affine3f shifted_to_base;
   std::unique_ptr<Results> at_origin, elsewhere;
 };
 
 } // namespace
+
+/** Points (0, 0, 0) of a cloud that was moved with them, but for what is rounded. */
+TEST_F (SensorOrigin, PointsAtTheSensorAreMissing)
+{
+  const auto moved = pcl::make_shared<Cloud> (*elsewhere->cloud);
+  for (auto& p : *moved)
+    if (std::isnan (p.x)) {
+      p.getVector3fMap() = place;
+      p.x = std::nextafter (p.x, 1.f);
+    }
+  const Results results (moved, shifted_to_base);
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < moved->size(); ++i)
+    if (std::isnan ((*elsewhere->cloud)[i].x)) {
+      ++missing;
+      ASSERT_EQ (results.classes[i], pcl::rgbd_planes::ObstacleClass::unmeasured);
+    }
+  EXPECT_GT (missing, 1000u);
+  EXPECT_EQ (results.models.size(), elsewhere->models.size());
+  EXPECT_EQ (results.objects.size(), elsewhere->objects.size());
+}
 
 TEST_F (SensorOrigin, PlanesAreTheSame)
 {

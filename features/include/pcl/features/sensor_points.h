@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/depth_noise.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 
 #include <Eigen/Core>
@@ -33,7 +34,8 @@ public:
       Eigen::Map<Eigen::Vector3f> p (&copy_[floats * i]);
       if (isMeasured (points[i]))
         p = Eigen::Map<const Eigen::Vector3f> (points[i]) - origin;
-      else
+      // Those at the sensor were (0, 0, 0) there, but for what is rounded.
+      if (!isMeasured (points[i]) || p.squaredNorm() <= DepthNoise::min_squared_range)
         p.setConstant (std::numeric_limits<float>::quiet_NaN());
     }
     return {copy_.data(), floats, points.width, points.height};
