@@ -7,6 +7,7 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 /** A measurement of a camera that knows how sure it is. */
 struct EIGEN_ALIGN16 SensedPoint {
   float confidence;

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -230,6 +232,7 @@ TYPED_TEST (NormalEstimation, NormalsFaceTheViewpoint)
   expectViewpoint (0.f, 0.f, 0.2f);
   expectNormal (-1.f);
   estimation.setViewPoint (0.f, std::numeric_limits<float>::quiet_NaN(), 0.f);
+  estimation.setViewPoint (0.f, 0.f, std::numeric_limits<float>::infinity());
   expectViewpoint (0.f, 0.f, 0.2f);
   estimation.useSensorOriginAsViewPoint();
   expectViewpoint (0.5f, 0.f, 3.f);

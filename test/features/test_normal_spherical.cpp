@@ -133,6 +133,8 @@ TEST (NormalSpherical, SizesThatDifferAreAnError)
   pcl::PointCloud<NormalSpherical> spherical (4, 4);
   EXPECT_FALSE (pcl::computeNormalsSpherical (cloud, normals, spherical));
   EXPECT_TRUE (spherical.empty());
+  const pcl::PointCloud<pcl::Normal> upright (2, 3);
+  EXPECT_FALSE (pcl::computeNormalsSpherical (cloud, upright, spherical));
   ASSERT_TRUE (pcl::computeNormalsSpherical (
       pcl::PointCloud<pcl::PointXYZ>(), pcl::PointCloud<pcl::Normal>(), spherical));
   EXPECT_TRUE (spherical.empty());

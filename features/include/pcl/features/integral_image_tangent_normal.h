@@ -64,8 +64,8 @@ namespace pcl {
  *
  * A null, empty or unorganized cloud, a \c sensor_origin_ that is not finite, an index outside of
  * the cloud, or indices where output and input are the same cloud: an error message and an empty
- * output. A cloud with measured points of which none has a normal: a warning, once for frames
- * in a row, unless they are less than 1 % of all points or BORDER_POLICY_IGNORE is set.
+ * output. A cloud with measured points of which less than half have a normal: a warning, once for
+ * frames in a row, unless they are less than 1 % of all points or BORDER_POLICY_IGNORE is set.
  * setKSearch, setRadiusSearch, setSearchMethod and setSearchSurface have no effect. Nothing is
  * allocated after the first of several clouds of the same size.
  *
@@ -128,9 +128,7 @@ public:
   void
   setNormalSmoothingSize (float normal_smoothing_size);
 
-  /** \brief A smoothing area of fixed size at every range, as in the paper: its estimator
-   * with setEdgeAware (false) and setScaleSelection (false). The same as
-   * setDepthDependentSmoothing (false) and a smoothing size for each direction.
+  /** \brief As setNormalSmoothingSize, with a size for each direction.
    * \param[in] width in pixels, more than 0
    * \param[in] height in pixels, more than 0
    */
@@ -147,7 +145,8 @@ public:
   }
 
   /** \brief Average the planes around each point on which it lies, so that normals keep to
-   * their side of edges and creases; default true. The paper does not. */
+   * their side of edges and creases; default true. The paper does not. Tangents between two
+   * surfaces are left out either way, of which the paper says nothing. */
   void
   setEdgeAware (bool edge_aware)
   {
@@ -213,9 +212,9 @@ private:
   std::size_t
   computeNormals (PointCloudOut& output) override;
 
-  /** \brief Says why all normals are missing where points are not. */
+  /** \brief Says why most normals are missing where points are not. */
   void
-  warnOfNone (std::size_t valid);
+  warnOfFew (std::size_t valid);
 
   rgbd_planes::TangentNormalParameters parameters_;
   rgbd_planes::TangentNormals tangent_normals_;

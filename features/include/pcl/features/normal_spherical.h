@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/point_cloud.h>
 #include <pcl/register_point_struct.h>
 
@@ -78,12 +78,11 @@ computeNormalsSpherical (const pcl::PointCloud<PointT>& cloud,
                          pcl::PointCloud<NormalSpherical>& spherical)
 {
   spherical.clear();
-  if (cloud.size() != normals.size()) {
-    PCL_ERROR (
-        "[pcl::computeNormalsSpherical] The cloud has %zu points and %zu normals: "
-        "give one normal for each point.\n",
-        cloud.size(),
-        normals.size());
+  if (!rgbd_planes::areOfPoints (&normals, cloud)) {
+    PCL_ERROR ("[pcl::computeNormalsSpherical] The cloud has %s points and %s normals: "
+               "give one normal for each point.\n",
+               rgbd_planes::numberOfPoints (&cloud).c_str(),
+               rgbd_planes::numberOfPoints (&normals).c_str());
     return false;
   }
   spherical.header = cloud.header;

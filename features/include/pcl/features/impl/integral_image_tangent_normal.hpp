@@ -23,7 +23,8 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setNormalSmoothingSiz
   if (rgbd_planes::setParameter (feature_name_ + "::setNormalSmoothingSize",
                                  normal_smoothing_size,
                                  parameters_.smoothing_width,
-                                 rgbd_planes::Zero::refused))
+                                 rgbd_planes::Zero::refused,
+                                 rgbd_planes::any_finite))
     parameters_.smoothing_height = normal_smoothing_size;
 }
 
@@ -43,7 +44,6 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::setRectSize (int widt
   }
   parameters_.smoothing_width = static_cast<float> (width);
   parameters_.smoothing_height = static_cast<float> (height);
-  parameters_.depth_dependent_smoothing = false;
 }
 
 template <typename PointInT, typename PointOutT>
@@ -74,7 +74,7 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
         tangent_normals_.compute (rgbd_planes::viewPoints (*input_),
                                   parameters_,
                                   rgbd_planes::normalOutput (cloud));
-    warnOfNone (valid);
+    warnOfFew (valid);
     return valid;
   };
   if (!this->forIndices())
@@ -97,22 +97,24 @@ IntegralImageTangentNormalEstimation<PointInT, PointOutT>::computeNormals (
 
 template <typename PointInT, typename PointOutT>
 void
-IntegralImageTangentNormalEstimation<PointInT, PointOutT>::warnOfNone (
-    std::size_t valid)
+IntegralImageTangentNormalEstimation<PointInT, PointOutT>::warnOfFew (std::size_t valid)
 {
   std::size_t measured = 0;
-  if (valid == 0 && !parameters_.ignore_border)
+  if (2 * valid < input_->size() && !parameters_.ignore_border)
     measured = static_cast<std::size_t> (
         std::count_if (input_->begin(), input_->end(), [] (const PointInT& p) {
           return rgbd_planes::isMeasured (&p.x);
         }));
-  const bool is_more_than_specks = 100 * measured > input_->size();
-  if (rgbd_planes::isFirstInARow (is_more_than_specks, is_warned_))
+  const bool are_more_than_specks = 100 * measured > input_->size();
+  if (rgbd_planes::isFirstInARow (2 * valid < measured && are_more_than_specks,
+                                  is_warned_))
     PCL_WARN (
-        "[pcl::%s] None of the %zu measured points has a normal, for a point needs "
-        "measured neighbours near it along both axes of the image. If every second "
-        "row or column is missing, take every second pixel in both directions.\n",
+        "[pcl::%s] Only %zu of the %zu measured points have a normal, for a point "
+        "needs measured neighbours near it along both axes of the image. If every "
+        "second row or column is missing, take every second pixel in both "
+        "directions.\n",
         feature_name_.c_str(),
+        valid,
         measured);
 }
 

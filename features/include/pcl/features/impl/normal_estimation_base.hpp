@@ -21,9 +21,9 @@ NormalEstimationBase<PointInT, PointOutT>::setViewPoint (float vpx,
                                                          float vpy,
                                                          float vpz)
 {
-  if (std::isnan (vpx) || std::isnan (vpy) || std::isnan (vpz)) {
-    PCL_ERROR ("[pcl::%s::setViewPoint] The viewpoint must be numbers, got %g, %g and "
-               "%g. Keeping the one before.\n",
+  if (!std::isfinite (vpx) || !std::isfinite (vpy) || !std::isfinite (vpz)) {
+    PCL_ERROR ("[pcl::%s::setViewPoint] The viewpoint must be finite numbers, got %g, "
+               "%g and %g. Keeping the one before.\n",
                feature_name_.c_str(),
                vpx,
                vpy,
@@ -98,7 +98,8 @@ NormalEstimationBase<PointInT, PointOutT>::computeFeature (PointCloudOut& output
     output.width = static_cast<std::uint32_t> (indices_->size());
     output.height = 1;
   }
-  output.is_dense = output.empty() || computeNormals (output) == output.size();
+  const std::size_t valid = output.empty() ? 0 : computeNormals (output);
+  output.is_dense = valid == output.size();
   if (!use_sensor_origin_ && viewpoint_ != sensorOrigin())
     faceViewpoint (output);
 
