@@ -55,6 +55,7 @@ PlaneTracker::track (const std::vector<ModelCoefficients>& model_coefficients,
   planes_.clear();
   for (const auto& model : model_coefficients)
     planes_.emplace_back (model.values.data());
+  ids.reserve (planes_.size());
   fit (labels.width, labels.height);
   countOverlaps (labels);
   match();
@@ -168,9 +169,10 @@ PlaneTracker::match()
                                 : a.plane < b.plane;
   });
 
+  tracks_.reserve (tracks_.size() + planes); // what may throw comes before any change
+  track_of_plane_.assign (planes, none);
   for (auto& track : tracks_)
     ++track.missed;
-  track_of_plane_.assign (planes, none);
   for (const auto& match : matches_)
     if (tracks_[match.track].missed > 0 && track_of_plane_[match.plane] == none) {
       track_of_plane_[match.plane] = match.track;

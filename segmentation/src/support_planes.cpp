@@ -41,19 +41,29 @@ SupportPlanes::compute (const OrganizedPoints& points,
 {
   const Eigen::Vector3f up = camera_to_base.linear().row (2);
   const float camera_height = camera_to_base.translation().z();
-  const float min_cosine = std::cos (parameters.horizontal_tolerance);
+  // That of pi / 2 as a float is less than 0.
+  const float min_cosine = std::max (std::cos (parameters.horizontal_tolerance), 0.f);
+  rejections_ = {};
   std::size_t count = 0;
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    if (!(planes[k].plane.normal.dot (up) >= min_cosine) || planes[k].inliers->empty())
+    const bool is_level = planes[k].plane.normal.dot (up) >= min_cosine;
+    if (!is_level || planes[k].inliers->empty()) {
+      rejections_.not_level += !is_level;
       continue;
+    }
     const Plane plane = optimise (points, planes[k], parameters.noise);
     const Eigen::Vector3f center = sample_.mean();
     const float height = up.dot (center) + camera_height;
     const float noise = height_sigmas * parameters.noise.sigma (center.squaredNorm());
-    if (!(plane.normal.dot (up) >= min_cosine) ||
-        !(height >= parameters.min_plane_height - noise &&
-          height <= parameters.max_plane_height + noise))
+    const bool is_still_level = plane.normal.dot (up) >= min_cosine;
+    const bool is_low = !(height >= parameters.min_plane_height - noise);
+    const bool is_high = !(height <= parameters.max_plane_height + noise);
+    if (!is_still_level || is_low || is_high) {
+      ++(!is_still_level ? rejections_.not_level
+         : is_low        ? rejections_.too_low
+                         : rejections_.too_high);
       continue;
+    }
     supports_.resize (std::max (supports_.size(), count + 1));
     SupportPlane& support = supports_[count++];
     support.index = k;

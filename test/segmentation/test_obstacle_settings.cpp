@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 using namespace obstacle_scenes;
@@ -88,7 +89,9 @@ TEST (ObstacleSettings, SettersRefuseWhatMakesNoSense)
     detection.setScanLimits (limits);
     EXPECT_FALSE (std::isnan (detection.getScanLimits().*limit));
   }
-  for (const auto& [nearest, farthest] : {std::pair (-0.5f, 2.f), {-3.f, -2.f}}) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (const auto& [nearest, farthest] :
+       {std::pair (-0.5f, 2.f), {-3.f, -2.f}, {infinity, infinity}}) {
     pcl::rgbd_planes::ScanLimits limits;
     limits.range_min = nearest;
     limits.range_max = farthest;
@@ -96,6 +99,7 @@ TEST (ObstacleSettings, SettersRefuseWhatMakesNoSense)
     EXPECT_EQ (detection.getScanLimits().range_min, 0.f);
     EXPECT_EQ (detection.getScanLimits().range_max, 10.f);
   }
+  detection.setMinObstacleHeight (infinity);
   for (const float wrong : {-1.f, not_a_number}) {
     detection.setFloorTolerances (wrong, wrong);
     detection.setFloorTolerances (0.1f, wrong);

@@ -16,12 +16,21 @@ TEST (SupportPlanes, HeightsOfPlanes)
 {
   const View view = look ({floor_slab, table, onTable (1.1f, 0.f, {0.1f, 0.1f, 0.1f})});
   Extraction extraction;
+  const auto& rejections = extraction.getSupportRejections();
   extraction.setPlaneHeights (0.65, 0.75);
   EXPECT_EQ (extract (extraction, view).size(), 1u);
+  const std::size_t not_level = rejections.not_level;
+  EXPECT_EQ (rejections.too_low, 1u) << "the floor";
+  EXPECT_EQ (rejections.too_high, 0u);
   extraction.setPlaneHeights (0.72, 1.2);
   EXPECT_TRUE (extract (extraction, view).empty());
+  EXPECT_EQ (rejections.too_low, 2u);
+  EXPECT_EQ (rejections.too_high, 0u);
   extraction.setPlaneHeights (0.1, 0.68);
   EXPECT_TRUE (extract (extraction, view).empty());
+  EXPECT_EQ (rejections.too_low, 1u);
+  EXPECT_EQ (rejections.too_high, 1u) << "the table";
+  EXPECT_EQ (rejections.not_level, not_level);
 }
 
 TEST (SupportPlanes, HeightsAreAsUncertainAsDepth)

@@ -48,13 +48,16 @@ struct ScanLimits {
 };
 
 /** \brief Distances to the closest obstacle in each direction (Holz et al. 2011, section 5.1): the
- * angles and ranges of a LaserScan message of ROS, by the same names, in radians and metres. Its
- * stamp is that of the cloud, its frame the base frame; time_increment and scan_time are 0. */
+ * fields of a LaserScan message of ROS but its header, by the same names, in radians, metres and
+ * seconds. The stamp of its header is that of the cloud, its frame the base frame. */
 struct VirtualScan {
   float angle_min = 0.f;
   /** The last direction, angle_min + (ranges.size() - 1) * angle_increment. */
   float angle_max = 0.f;
   float angle_increment = 0.f;
+  /** 0, as \a scan_time: all directions are seen at once, at times that the camera decides on. */
+  float time_increment = 0.f;
+  float scan_time = 0.f;
   float range_min = 0.f;
   float range_max = 0.f;
   /** ranges[i] is the distance in the xy plane of the base frame of the closest point
@@ -65,6 +68,8 @@ struct VirtualScan {
    * infinite where no obstacle is seen, which includes directions outside of the image, and
    * negative infinity where that point is nearer than range_min. */
   std::vector<float> ranges;
+  /** Empty: cameras measure none. */
+  std::vector<float> intensities;
 };
 
 } // namespace rgbd_planes

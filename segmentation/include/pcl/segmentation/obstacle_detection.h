@@ -156,7 +156,9 @@ public:
   {
     rgbd_planes::setParameter (getClassName() + "::setMinObstacleHeight",
                                height,
-                               parameters_.points.min_height);
+                               parameters_.points.min_height,
+                               rgbd_planes::Zero::allowed,
+                               rgbd_planes::any_finite);
   }
 
   float

@@ -26,15 +26,15 @@ namespace pcl {
  * tracker.track (models, labels, ids); // ids[i] is the identity of models[i]
  * \endcode
  *
- * The motion of the camera need not be known, but must be small from frame to frame: planes
- * must cover some of the pixels that they did before, those with parallel ones beside them half.
- * A plane is the one before that covered most of the same pixels, weighted by how little normal
- * and distance have changed; more than 0.5 radians or 1 m is another plane. While the camera stays,
- * so that a quarter of the pixels show planes with the distance they had, 3 cm halve the weight:
- * what stood before a wall that stays, and is taken away, is not the wall. A plane that is not found, or hidden, or
- * taken for a part of another one, is remembered where it was seen last, for 15 frames. When a
- * plane falls into parts, the part with the largest overlap keeps the identity; when planes are
- * joined, the one with the largest overlap does.
+ * The motion of the camera need not be known, but must be small from frame to frame: planes must
+ * cover some of the pixels that they did before, those with parallel ones beside them half. A
+ * plane is the one before that covered most of the same pixels, weighted by how little normal
+ * and distance have changed; more than 0.5 radians or 1 m is another plane. While the camera
+ * stays, so that a quarter of the pixels show planes with the distance they had, 3 cm halve the
+ * weight: what stood before a wall that stays, and is taken away, is not the wall. A plane that
+ * is not found, or hidden, or taken for a part of another one, is remembered where it was seen
+ * last, for 15 frames. When a plane falls into parts, the part with the largest overlap keeps
+ * the identity; when planes are joined, the one with the largest overlap does.
  *
  * Time is linear in the number of pixels (and in the product of the numbers of planes of two
  * frames). Memory is used again. Frames may change their size. A new tracker starts anew: assign

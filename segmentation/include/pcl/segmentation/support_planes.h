@@ -107,6 +107,14 @@ liesOnOneOf (const std::vector<SegmentedPlane>& planes,
              const std::vector<PointRun>& thing,
              const DepthNoise& noise);
 
+/** \brief Why planes support nothing: how many of the last frame are not level, or below or above
+ * the heights that are looked at. */
+struct SupportRejections {
+  std::size_t not_level = 0;
+  std::size_t too_low = 0;
+  std::size_t too_high = 0;
+};
+
 /** \brief Finds the horizontal planes in a range of heights, optimises their models and
  * computes their hulls (Holz et al. 2011, section 5.1). */
 class PCL_RGBD_PLANES_EXPORTS SupportPlanes {
@@ -123,6 +131,12 @@ public:
   planes () const
   {
     return supports_;
+  }
+
+  const SupportRejections&
+  rejections () const
+  {
+    return rejections_;
   }
 
   /** \brief The planes many of whose points are neither on nor above a supporting one, and those
@@ -170,6 +184,7 @@ private:
 
   std::vector<SupportPlane> supports_;
   std::vector<SegmentedPlane> background_;
+  SupportRejections rejections_;
   RansacSample sample_;
   std::vector<Eigen::Vector2f> border_;
   ConvexOutline main_outline_; // of a plane that may be a platform

@@ -342,6 +342,13 @@ public:
     return supports_.planes();
   }
 
+  /** \brief Why planes of the last call of extract() support nothing, and how many. */
+  const rgbd_planes::SupportRejections&
+  getSupportRejections () const
+  {
+    return supports_.rejections();
+  }
+
 protected:
   std::string
   getClassName () const

@@ -46,7 +46,8 @@ ObstacleDetection<PointT, PointNT, PointLT>::setScanLimits (const ScanLimits& li
         limits.angle_max <= turn && limits.angle_max - limits.angle_min <= turn &&
         limits.angle_increment >= min_increment &&
         std::isfinite (limits.angle_increment) && limits.range_min >= 0.f &&
-        limits.range_min <= limits.range_max && !std::isnan (limits.max_height))) {
+        std::isfinite (limits.range_min) && limits.range_min <= limits.range_max &&
+        !std::isnan (limits.max_height))) {
     PCL_ERROR (
         "[pcl::%s::setScanLimits] From %g to %g in steps of %g radians, at %g "
         "to %g m, up to %g m high is no scan: give a first angle, a last one up to a "
