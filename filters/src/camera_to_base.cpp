@@ -4,4 +4,4 @@
 #include <pcl/features/impl/instantiate.hpp>
 #include <pcl/filters/impl/camera_to_base.hpp>
 
-PCL_INSTANTIATE (CameraToBase, PCL_RGBD_PLANES_XYZ_POINT_TYPES)
+PCL_INSTANTIATE (CameraToBase, PCL_RGBD_PLANES_XYZ_POINT_TYPES (pcl::Normal))

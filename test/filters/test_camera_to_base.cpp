@@ -3,6 +3,7 @@
 
 #include "synthetic_clouds.h"
 
+#include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/filters/camera_to_base.h>
 #include <pcl/point_types.h>
@@ -58,6 +59,28 @@ TEST (CameraToBase, WithoutATransformAxesAreExchangedAndYIsShifted)
   Cloud output;
   filter.filter (output);
   expectNear (output[0].getVector3fMap(), {3.f, -1.f + 0.02f, -2.f});
+}
+
+TEST (CameraToBase, NormalsInACloudOfTheirOwnTurn)
+{
+  auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  pcl::copyPointCloud (*someNormals(), *normals);
+  (*normals)[1].getNormalVector3fMap().setConstant (not_a_number);
+  pcl::CameraToBase<pcl::Normal> filter;
+  filter.setTransform (someTransform());
+  filter.setInputCloud (normals);
+  pcl::PointCloud<pcl::Normal> output;
+  filter.filter (output);
+  ASSERT_EQ (output.size(), 6u);
+  EXPECT_EQ (output.width, 3u);
+  EXPECT_EQ (output.header.frame_id, "base_link");
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    EXPECT_EQ (output[i].curvature, static_cast<float> (i));
+    if (i != 1)
+      expectNear (output[i].getNormalVector3fMap(),
+                  someTransform().rotation() * (*normals)[i].getNormalVector3fMap());
+  }
+  EXPECT_TRUE (std::isnan (output[1].normal_x));
 }
 
 TEST (CameraToBase, PointsAndNormalsMoveByTheTransform)

@@ -25,6 +25,9 @@ namespace pcl {
  * to_base.filter (*cloud_in_base);
  * \endcode
  *
+ * PointT has coordinates, normals or both: a CameraToBase<pcl::Normal> turns the normals of a
+ * cloud that has none itself.
+ *
  * The output keeps the organization of the input and all fields but coordinates and
  * normals; with indices, it has only these points, N x 1, in their order. Points without a
  * measurement (NaN, Inf or (0, 0, 0)) become NaN, and normals that are NaN stay so. The

@@ -82,12 +82,14 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
   output.sensor_orientation_ =
       Eigen::Quaternionf (rotation) * input_->sensor_orientation_;
   for (auto& point : output) {
-    Eigen::Map<Eigen::Vector3f> xyz (&point.x);
-    if (rgbd_planes::isMeasured (&point.x))
-      xyz = (rotation * xyz + translation).eval();
-    else {
-      xyz.setConstant (std::numeric_limits<float>::quiet_NaN());
-      output.is_dense = false;
+    if constexpr (traits::has_xyz<PointT>::value) {
+      Eigen::Map<Eigen::Vector3f> xyz (&point.x);
+      if (rgbd_planes::isMeasured (&point.x))
+        xyz = (rotation * xyz + translation).eval();
+      else {
+        xyz.setConstant (std::numeric_limits<float>::quiet_NaN());
+        output.is_dense = false;
+      }
     }
     if constexpr (traits::has_normal<PointT>::value) {
       Eigen::Map<Eigen::Vector3f> normal (&point.normal_x);

@@ -70,11 +70,11 @@ DepthWarpCorrection<PointT>::setWarp (const pcl::PointCloud<pcl::Intensity>& war
   const auto isFinite = [] (const pcl::Intensity& point) {
     return std::isfinite (point.intensity);
   };
-  std::string fault = rgbd_planes::faultOfImage (warp);
-  if (fault.empty() && !std::all_of (warp.begin(), warp.end(), isFinite))
-    fault = "The warp has values that are not finite: set what getWarp gave.";
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s::setWarp] %s\n", getClassName().c_str(), fault.c_str());
+  const bool is_image = rgbd_planes::faultOfImage (warp).empty();
+  if (!is_image || !std::all_of (warp.begin(), warp.end(), isFinite)) {
+    PCL_ERROR ("[pcl::%s::setWarp] The warp %s: set what getWarp gave.\n",
+               getClassName().c_str(),
+               is_image ? "has values that are not finite" : "is no image");
     return false;
   }
   Eigen::MatrixXf image (warp.width, warp.height);

@@ -70,10 +70,13 @@ ProjectOntoPlanes<PointT>::assignPlanes()
     PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
     return false;
   }
-  rgbd_planes::fillPlaneOf (inliers_, size, plane_of_);
-  if (labels_)
-    for (std::size_t i = 0; i < size; ++i)
-      plane_of_[i] = (*labels_)[i].label;
+  if (!labels_) {
+    rgbd_planes::fillPlaneOf (inliers_, size, plane_of_);
+    return true;
+  }
+  plane_of_.resize (size);
+  for (std::size_t i = 0; i < size; ++i)
+    plane_of_[i] = (*labels_)[i].label;
   return true;
 }
 
