@@ -5,7 +5,7 @@
 #include <pcl/apps/statistics.h>
 #include <pcl/features/depth_noise.h>
 #include <pcl/filters/project_onto_planes.h>
-#include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/plane_moments.h>
 
 #include <algorithm>

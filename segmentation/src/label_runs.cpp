@@ -4,7 +4,6 @@
 #include "plane_kernels.h"
 
 #include <pcl/segmentation/label_runs.h>
-#include <pcl/segmentation/plane_assignment.h>
 
 #include <algorithm>
 #include <cstddef>

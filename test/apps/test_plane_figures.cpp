@@ -4,12 +4,13 @@
 #include <pcl/apps/curved_points.h>
 #include <pcl/apps/object_label_evaluation.h>
 #include <pcl/apps/right_angles.h>
-#include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/label_runs.h>
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -3,12 +3,12 @@
 
 #include <pcl/segmentation/connected_parts.h>
 #include <pcl/segmentation/label_runs.h>
-#include <pcl/segmentation/plane_assignment.h>
 #include <pcl/segmentation/region_contour.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <numeric>

@@ -8,11 +8,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
+
+/** \brief The label of points that lie on no plane. */
+constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
 
 /** \brief Pixels of equal label next to each other in a row of an image. */
 struct LabelRun {

@@ -6,6 +6,7 @@
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/label_runs.h>
 #include <pcl/segmentation/plane_intersections.h>
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
@@ -56,9 +57,6 @@ struct TilePlanes {
     return static_cast<std::size_t> (last - first);
   }
 };
-
-/** \brief The label of points that lie on no plane. */
-constexpr std::uint32_t unlabelled = std::numeric_limits<std::uint32_t>::max();
 
 /** \brief Gives each point the nearest one of the planes that are present around it in
  * the image.
