@@ -34,7 +34,7 @@ runPipeline (benchmark::State& state,
              const Clouds& clouds,
              const BaseTransforms& camera_to_base)
 {
-  DetectionPipeline pipeline;
+  DetectionPipeline<pcl::PointXYZ> pipeline;
   std::size_t frame = 0; // the clouds come in turn
   measure (state, clouds, [&] (const Cloud::ConstPtr& cloud) {
     pipeline.detect (cloud, camera_to_base[frame++ % clouds.size()]);
@@ -47,9 +47,9 @@ findObstacles (benchmark::State& state,
                const Clouds& clouds,
                const BaseTransforms& camera_to_base)
 {
-  std::vector<DetectionPipeline> pipelines (clouds.size());
+  std::vector<DetectionPipeline<pcl::PointXYZ>> pipelines (clouds.size());
   for (std::size_t i = 0; i < clouds.size(); ++i)
-    pipelines[i].findPlanes (clouds[i], camera_to_base[i]);
+    pipelines[i].segment (clouds[i], camera_to_base[i]);
   std::size_t frame = 0; // the clouds come in turn
   measure (state, clouds, [&] (const Cloud::ConstPtr&) {
     pipelines[frame++ % clouds.size()].findObstacles();

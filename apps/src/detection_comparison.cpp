@@ -35,7 +35,7 @@ DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& step
 {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     runs_[i].step = steps[i];
-    runs_[i].pipeline.setDepthNoise (noise);
+    runs_[i].pipeline = DetectionPipeline<pcl::PointXYZ> (noise);
     results_.push_back (
         {resolutionName (steps[i]), {}, {}, ObstacleEvaluation (noise)});
   }
@@ -59,14 +59,17 @@ DetectionComparison::add (const Frame& frame)
     const Stopwatch watch;
     run.pipeline.detect (cloud, frame.camera_to_base);
     results_[i].milliseconds.push_back (watch.milliseconds());
-    scoreObjects (
-        frame, objects, run.step, run.pipeline.objects(), results_[i].objects);
+    scoreObjects (frame,
+                  objects,
+                  run.step,
+                  foundObjects (run.pipeline.objects),
+                  results_[i].objects);
     if (frame.truth && frame.camera_to_base) {
       const auto truth = subsample (*frame.truth, run.step);
       const auto numbers = subsample (obstacles, frame.cloud->width, run.step);
       results_[i].obstacles.add (
           {viewPoints (*cloud), truth, numbers, *frame.camera_to_base},
-          run.pipeline.classes());
+          run.pipeline.detection.getClasses());
     }
   }
 }

@@ -8,59 +8,92 @@
 namespace pcl {
 namespace rgbd_planes {
 
+template <typename PointT>
+DetectionPipeline<PointT>::DetectionPipeline (const DepthNoise& noise, bool split)
+{
+  estimation.setDepthNoise (noise);
+  segmentation.setDepthNoise (noise);
+  extraction.setDepthNoise (noise);
+  detection.setDepthNoise (noise);
+  extraction.setSplitAtConcaveEdges (split);
+}
+
+template <typename PointT>
 void
-DetectionPipeline::findPlanes (const Cloud::ConstPtr& cloud,
-                               const std::optional<Eigen::Affine3f>& camera_to_base)
+DetectionPipeline<PointT>::estimateNormals (const typename Cloud::ConstPtr& input)
 {
-  cloud_ = cloud;
-  estimation_.setInputCloud (cloud);
-  estimation_.compute (*normals_);
-  segmentation_.setInputCloud (cloud);
-  segmentation_.setInputNormals (normals_);
-  segmentation_.setMinInliers (minPlanePoints (cloud->size()));
-  segmentation_.segment (models_, inliers_, *labels_);
-
-  setPose (camera_to_base);
+  cloud = input;
+  estimation.setInputCloud (cloud);
+  estimation.compute (*normals);
 }
 
+template <typename PointT>
 void
-DetectionPipeline::setPose (const std::optional<Eigen::Affine3f>& camera_to_base)
+DetectionPipeline<PointT>::findPlanes (unsigned min_inliers)
 {
-  const Eigen::Affine3f pose =
-      camera_to_base ? *camera_to_base
-                     : estimateCameraToBase (models_).value_or (defaultCameraToBase());
-  detection_.setCameraToBase (pose);
-  extraction_.setCameraToBase (pose);
-  const auto [lowest_m, highest_m] = planeHeights (camera_to_base.has_value());
-  extraction_.setPlaneHeights (lowest_m, highest_m);
+  segmentation.setInputCloud (cloud);
+  segmentation.setInputNormals (normals);
+  segmentation.setMinInliers (min_inliers);
+  segmentation.segment (models, inliers, *labels);
 }
 
+template <typename PointT>
 void
-DetectionPipeline::findObjects()
+DetectionPipeline<PointT>::setPose (const Eigen::Affine3f& camera_to_base,
+                                    bool is_known)
 {
-  extraction_.setMinPoints (minObjectPoints (cloud_->size()));
-  extraction_.setInputCloud (cloud_);
-  extraction_.setInputNormals (normals_);
-  extraction_.extract (models_, inliers_, objects_);
+  detection.setCameraToBase (camera_to_base);
+  extraction.setCameraToBase (camera_to_base);
+  const auto [lowest_m, highest_m] = planeHeights (is_known);
+  extraction.setPlaneHeights (lowest_m, highest_m);
 }
 
-std::vector<FoundObject>
-DetectionPipeline::objects() const
-{
-  std::vector<FoundObject> found;
-  for (const auto& object : objects_)
-    found.push_back ({object.indices.indices, object.box_size, object.graspable});
-  return found;
-}
-
+template <typename PointT>
 void
-DetectionPipeline::findObstacles()
+DetectionPipeline<PointT>::findObjects()
 {
-  detection_.setInputCloud (cloud_);
-  detection_.setInputNormals (normals_);
-  detection_.setInputPlanes (models_, labels_);
-  detection_.detect (obstacles_);
+  extraction.setMinPoints (minObjectPoints (cloud->size()));
+  extraction.setInputCloud (cloud);
+  extraction.setInputNormals (normals);
+  extraction.extract (models, inliers, objects);
 }
+
+template <typename PointT>
+void
+DetectionPipeline<PointT>::findObstacles()
+{
+  detection.setInputCloud (cloud);
+  detection.setInputNormals (normals);
+  detection.setInputPlanes (models, labels);
+  detection.detect (obstacles);
+}
+
+template <typename PointT>
+void
+DetectionPipeline<PointT>::segment (
+    const typename Cloud::ConstPtr& input,
+    const std::optional<Eigen::Affine3f>& camera_to_base)
+{
+  estimateNormals (input);
+  findPlanes (minPlanePoints (input->size()));
+  setPose (camera_to_base
+               ? *camera_to_base
+               : estimateCameraToBase (models).value_or (defaultCameraToBase()),
+           camera_to_base.has_value());
+}
+
+template <typename PointT>
+void
+DetectionPipeline<PointT>::detect (const typename Cloud::ConstPtr& input,
+                                   const std::optional<Eigen::Affine3f>& camera_to_base)
+{
+  segment (input, camera_to_base);
+  findObjects();
+  findObstacles();
+}
+
+template struct DetectionPipeline<pcl::PointXYZ>;
+template struct DetectionPipeline<pcl::PointXYZRGB>;
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -62,6 +62,7 @@ planeClass (const Eigen::Vector3d& normal,
 {
   if (!camera_to_base)
     return "unknown";
+  // As SupportedObjectExtraction takes planes for level, and ObstacleDetection floors for z = 0.
   const double min_cosine = std::cos (0.26), max_floor_height = 0.05;
   const Eigen::Vector3d up = camera_to_base->linear().row (2).cast<double>();
   const double rise = up.dot (normal);
@@ -85,20 +86,14 @@ FrameSummary::freeIndices()
 
 FrameSegmenter::FrameSegmenter (const SegmenterOptions& options)
 : options_ (options)
-, normals_ (new pcl::PointCloud<pcl::Normal>)
-, labels_ (new pcl::PointCloud<pcl::Label>)
+, pipeline_ (options.depth_noise)
 {
-  estimation_.setDepthNoise (options.depth_noise);
-  segmentation_.setDepthNoise (options.depth_noise);
-  extraction_.setDepthNoise (options.depth_noise);
-  detection_.setDepthNoise (options.depth_noise);
-  extraction_.setSplitAtConcaveEdges (true);
   ScanLimits all_around;
   all_around.angle_min = -static_cast<float> (M_PI);
   all_around.angle_max = static_cast<float> (M_PI);
-  detection_.setScanLimits (all_around);
+  pipeline_.detection.setScanLimits (all_around);
   if (options.corrected_points)
-    expectCorrectedPoints (segmentation_);
+    expectCorrectedPoints (pipeline_.segmentation);
 }
 
 FrameSummary
@@ -118,37 +113,34 @@ FrameSegmenter::segment (const Frame& frame)
   summary.min_inliers = minInliers (options_, cloud.size());
 
   const Stopwatch total;
-  estimation_.setInputCloud (frame.cloud);
-  estimation_.compute (*normals_);
+  pipeline_.estimateNormals (frame.cloud);
   summary.times.normals = total.milliseconds();
-  segmentation_.setInputCloud (frame.cloud);
-  segmentation_.setInputNormals (normals_);
-  segmentation_.setMinInliers (summary.min_inliers);
-  segmentation_.segment (coefficients_, inliers_, *labels_);
-  summary.rejections = segmentation_.getRejections();
+  pipeline_.findPlanes (summary.min_inliers);
+  summary.rejections = pipeline_.segmentation.getRejections();
   findPose (frame, summary);
   if (options_.find_objects)
-    findObjects (frame, summary);
+    findObjects (summary);
   if (options_.find_obstacles)
-    findObstacles (frame, summary);
+    findObstacles (summary);
   summary.times.total = total.milliseconds();
-  const PlaneStageTimes& seconds = segmentation_.getStageTimes();
+  const PlaneStageTimes& seconds = pipeline_.segmentation.getStageTimes();
   summary.times.normal_space = 1e3 * seconds.normal_space;
   summary.times.distance_space = 1e3 * seconds.distance_space;
   summary.times.refinement = 1e3 * seconds.refinement;
 
   const auto known_pose =
       isKnown (summary.pose) ? summary.camera_to_base : std::nullopt;
-  for (std::size_t id = 0; id < inliers_.size(); ++id) {
+  for (std::size_t id = 0; id < pipeline_.models.size(); ++id) {
+    const pcl::Indices& inliers = pipeline_.inliers[id].indices;
     summary.planes.push_back (
-        summarize (cloud, coefficients_[id], inliers_[id].indices, known_pose));
-    summary.labelled_points += inliers_[id].indices.size();
+        summarize (cloud, pipeline_.models[id], inliers, known_pose));
+    summary.labelled_points += inliers.size();
   }
   return summary;
 }
 
 void
-FrameSegmenter::findPose (const Frame& frame, FrameSummary& summary) const
+FrameSegmenter::findPose (const Frame& frame, FrameSummary& summary)
 {
   if (options_.camera_to_base) {
     summary.pose = PoseSource::given;
@@ -158,52 +150,44 @@ FrameSegmenter::findPose (const Frame& frame, FrameSummary& summary) const
     summary.pose = PoseSource::simulated;
     summary.camera_to_base = frame.camera_to_base;
   }
-  else if ((summary.camera_to_base = estimateCameraToBase (coefficients_))) {
+  else if ((summary.camera_to_base = estimateCameraToBase (pipeline_.models))) {
     summary.pose = PoseSource::estimated;
-    summary.floor = findLikelyFloor (coefficients_);
+    summary.floor = findLikelyFloor (pipeline_.models);
   }
+  pipeline_.setPose (summary.camera_to_base.value_or (defaultCameraToBase()),
+                     isKnown (summary.pose));
 }
 
 void
-FrameSegmenter::findObjects (const Frame& frame, FrameSummary& summary)
+FrameSegmenter::findObjects (FrameSummary& summary)
 {
   const Stopwatch watch;
-  extraction_.setCameraToBase (summary.camera_to_base.value_or (defaultCameraToBase()));
-  const auto [lowest_m, highest_m] = planeHeights (isKnown (summary.pose));
-  extraction_.setPlaneHeights (lowest_m, highest_m);
-  extraction_.setMinPoints (minObjectPoints (frame.cloud->size()));
-  extraction_.setInputCloud (frame.cloud);
-  extraction_.setInputNormals (normals_);
-  extraction_.extract (coefficients_, inliers_, objects_);
+  pipeline_.findObjects();
   summary.times.objects = watch.milliseconds();
-  for (const auto& object : objects_)
+  for (const auto& object : pipeline_.objects)
     summary.objects.push_back ({object, object.indices.indices.size()});
 }
 
 void
-FrameSegmenter::findObstacles (const Frame& frame, FrameSummary& summary)
+FrameSegmenter::findObstacles (FrameSummary& summary)
 {
   const Stopwatch watch;
-  const Eigen::Affine3f camera_to_base =
-      summary.camera_to_base.value_or (defaultCameraToBase());
-  detection_.setCameraToBase (camera_to_base);
-  detection_.setInputCloud (frame.cloud);
-  detection_.setInputNormals (normals_);
-  detection_.setInputPlanes (coefficients_, labels_);
-  detection_.detect (obstacles_);
+  pipeline_.findObstacles();
   summary.times.obstacles = watch.milliseconds();
 
-  summary.scan = detection_.getScan();
-  summary.floor_found = detection_.isFloorFound();
-  for (const auto& obstacle : obstacles_) {
+  const auto& detection = pipeline_.detection;
+  summary.scan = detection.getScan();
+  summary.floor_found = detection.isFloorFound();
+  for (const auto& obstacle : pipeline_.obstacles) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto index : obstacle.indices)
-      sum += (*frame.cloud)[static_cast<std::size_t> (index)]
+      sum += (*pipeline_.cloud)[static_cast<std::size_t> (index)]
                  .getVector3fMap()
                  .cast<double>();
     const Eigen::Vector3d mean = sum / static_cast<double> (obstacle.indices.size());
-    summary.obstacles.push_back (
-        {obstacle, obstacle.indices.size(), camera_to_base * mean.cast<float>()});
+    summary.obstacles.push_back ({obstacle,
+                                  obstacle.indices.size(),
+                                  detection.getCameraToBase() * mean.cast<float>()});
   }
 }
 

@@ -129,6 +129,15 @@ isSeen (const TrueObject& box, const std::vector<Eigen::Vector3f>& positions)
 
 } // namespace
 
+std::vector<FoundObject>
+foundObjects (const std::vector<pcl::SupportedObject>& objects)
+{
+  std::vector<FoundObject> found;
+  for (const auto& object : objects)
+    found.push_back ({object.indices.indices, object.box_size, object.graspable});
+  return found;
+}
+
 ObjectCounts&
 ObjectCounts::operator+= (const ObjectCounts& other)
 {

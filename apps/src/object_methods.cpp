@@ -56,16 +56,16 @@ objectMethods (const DepthNoise& noise)
 {
   std::vector<ObjectMethod> methods;
   for (const bool split : {false, true}) {
-    const auto pipeline = std::make_shared<DetectionPipeline> (split);
-    pipeline->setDepthNoise (noise);
+    const auto pipeline =
+        std::make_shared<DetectionPipeline<pcl::PointXYZ>> (noise, split);
     methods.push_back (
         {split ? "supported_split" : "supported",
          [pipeline] (const ObjectInput& input, std::vector<FoundObject>& found) {
            const Stopwatch watch;
-           pipeline->findPlanes (input.cloud, input.camera_to_base);
+           pipeline->segment (input.cloud, input.camera_to_base);
            pipeline->findObjects();
            const double milliseconds = watch.milliseconds();
-           found = pipeline->objects();
+           found = foundObjects (pipeline->objects);
            return milliseconds;
          }});
   }

@@ -105,7 +105,8 @@ bool
 PlaneViewer::update()
 {
   constexpr std::chrono::milliseconds patience (10);
-  if (const auto frame = slot_.take (patience)) {
+  const auto frame = slot_.take (patience);
+  if (frame && frames_left_ > 0) { // others come before the grabber has stopped
     if (--frames_left_ == 0)
       grabber_->stop();
     show (*frame);

@@ -35,7 +35,7 @@ public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
    * \param[in] noise of the sensor */
   explicit DetectionComparison (const std::vector<std::uint32_t>& steps,
-                                const DepthNoise& noise = {});
+                                const DepthNoise& noise = DepthNoise::kinectV1());
 
   /** \brief Adds a frame of full resolution. */
   void
@@ -60,7 +60,7 @@ private:
   struct Run {
     std::uint32_t step = 1;
     std::size_t points = 0; // of the frame before
-    DetectionPipeline pipeline;
+    DetectionPipeline<pcl::PointXYZ> pipeline;
   };
 
   std::vector<Run> runs_;

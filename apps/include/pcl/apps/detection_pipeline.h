@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <pcl/apps/object_evaluation.h>
 #include <pcl/features/integral_image_tangent_normal.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 #include <pcl/segmentation/obstacle_detection.h>
@@ -15,83 +14,65 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief All stages in one go: normals, planes, objects and obstacles, on one
- * thread, with their buffers. */
-class DetectionPipeline {
-public:
-  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+/** \brief All stages, normals, planes, objects and obstacles, on one thread, with their buffers.
+ * Each stage is a call, which takes what those before it gave. */
+template <typename PointT>
+struct DetectionPipeline {
+  using Cloud = pcl::PointCloud<PointT>;
 
-  /** \param[in] split objects at concave edges */
-  explicit DetectionPipeline (bool split = true)
-  {
-    extraction_.setSplitAtConcaveEdges (split);
-  }
+  /** \param[in] noise of the sensor, for all stages
+   * \param[in] split objects at concave edges
+   */
+  explicit DetectionPipeline (const DepthNoise& noise = DepthNoise::kinectV1(),
+                              bool split = true);
 
-  /** \brief Of the sensor, for all stages. */
+  /** \brief Normals. */
   void
-  setDepthNoise (const DepthNoise& noise)
-  {
-    estimation_.setDepthNoise (noise);
-    segmentation_.setDepthNoise (noise);
-    extraction_.setDepthNoise (noise);
-    detection_.setDepthNoise (noise);
-  }
+  estimateNormals (const typename Cloud::ConstPtr& cloud);
 
-  /** \brief All stages, of findPlanes(), findObjects() and findObstacles(). */
+  /** \brief Planes. */
   void
-  detect (const Cloud::ConstPtr& cloud,
-          const std::optional<Eigen::Affine3f>& camera_to_base)
-  {
-    findPlanes (cloud, camera_to_base);
-    findObjects();
-    findObstacles();
-  }
+  findPlanes (unsigned min_inliers);
 
-  /** \brief Normals and planes.
-   * \param[in] camera_to_base where the camera is; without, estimateCameraToBase()
+  /** \brief For objects and obstacles.
+   * \param[in] camera_to_base where the camera is
+   * \param[in] is_known whether that is no guess, so that planeHeights() are those of the paper
    */
   void
-  findPlanes (const Cloud::ConstPtr& cloud,
-              const std::optional<Eigen::Affine3f>& camera_to_base);
+  setPose (const Eigen::Affine3f& camera_to_base, bool is_known);
 
-  /** \brief Objects on the planes of the last call of findPlanes(). */
   void
   findObjects ();
 
-  /** \brief Obstacles, from the planes of the last call of findPlanes(). */
   void
   findObstacles ();
 
-  /** \brief Those of the last call of findObjects(). */
-  std::vector<FoundObject>
-  objects () const;
-
-  /** \brief The class of each point. */
-  const std::vector<ObstacleClass>&
-  classes () const
-  {
-    return detection_.getClasses();
-  }
-
-private:
-  /** \brief Also sets at which heights planes are looked for: at all, if it is only
-   * estimated. */
+  /** \brief Normals and planes, of minPlanePoints().
+   * \param[in] camera_to_base where the camera is; without, estimateCameraToBase()
+   */
   void
-  setPose (const std::optional<Eigen::Affine3f>& camera_to_base);
+  segment (const typename Cloud::ConstPtr& cloud,
+           const std::optional<Eigen::Affine3f>& camera_to_base);
 
-  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation_;
-  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation_;
-  pcl::SupportedObjectExtraction<pcl::PointXYZ, pcl::Normal> extraction_;
-  pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection_;
-  Cloud::ConstPtr cloud_;
-  pcl::PointCloud<pcl::Normal>::Ptr normals_ =
+  /** \brief All stages: segment(), findObjects() and findObstacles(). */
+  void
+  detect (const typename Cloud::ConstPtr& cloud,
+          const std::optional<Eigen::Affine3f>& camera_to_base);
+
+  pcl::IntegralImageTangentNormalEstimation<PointT, pcl::Normal> estimation;
+  pcl::NormalSpacePlaneSegmentation<PointT, pcl::Normal> segmentation;
+  pcl::SupportedObjectExtraction<PointT, pcl::Normal> extraction;
+  pcl::ObstacleDetection<PointT, pcl::Normal> detection;
+
+  typename Cloud::ConstPtr cloud;
+  pcl::PointCloud<pcl::Normal>::Ptr normals =
       pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  pcl::PointCloud<pcl::Label>::Ptr labels_ =
+  pcl::PointCloud<pcl::Label>::Ptr labels =
       pcl::make_shared<pcl::PointCloud<pcl::Label>>();
-  std::vector<pcl::ModelCoefficients> models_;
-  std::vector<pcl::PointIndices> inliers_;
-  std::vector<pcl::SupportedObject> objects_;
-  std::vector<Obstacle> obstacles_;
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> inliers;
+  std::vector<pcl::SupportedObject> objects;
+  std::vector<Obstacle> obstacles;
 };
 
 } // namespace rgbd_planes

@@ -3,11 +3,8 @@
 
 #pragma once
 
+#include <pcl/apps/detection_pipeline.h>
 #include <pcl/apps/frame_source.h>
-#include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/segmentation/normal_space_plane_segmentation.h>
-#include <pcl/segmentation/obstacle_detection.h>
-#include <pcl/segmentation/supported_object_extraction.h>
 
 #include <array>
 #include <optional>
@@ -51,7 +48,7 @@ struct SegmenterOptions {
    * estimateCameraToBase(). */
   std::optional<Eigen::Affine3f> camera_to_base;
   /** Of the sensor. */
-  DepthNoise depth_noise;
+  DepthNoise depth_noise = DepthNoise::kinectV1();
   /** Whether DepthWarpCorrection corrected the points of the frames. */
   bool corrected_points = false;
 };
@@ -130,28 +127,28 @@ public:
   const pcl::PointCloud<pcl::Normal>&
   normals () const
   {
-    return *normals_;
+    return *pipeline_.normals;
   }
 
   /** \brief The plane of each point of the last frame, or \ref unlabelled. */
   const pcl::PointCloud<pcl::Label>&
   labels () const
   {
-    return *labels_;
+    return *pipeline_.labels;
   }
 
   /** \brief a, b, c, d of each plane of the last frame, as PCL gives them. */
   const std::vector<pcl::ModelCoefficients>&
   models () const
   {
-    return coefficients_;
+    return pipeline_.models;
   }
 
   /** \brief The planes that objects were looked for on. */
   const std::vector<SupportPlane>&
   supportPlanes () const
   {
-    return extraction_.getSupportPlanes();
+    return pipeline_.extraction.getSupportPlanes();
   }
 
   /** \brief What each point of the last frame is to a robot, where options ask for
@@ -159,31 +156,22 @@ public:
   const std::vector<ObstacleClass>&
   obstacleClasses () const
   {
-    return detection_.getClasses();
+    return pipeline_.detection.getClasses();
   }
 
 private:
   void
-  findPose (const Frame& frame, FrameSummary& summary) const;
+  findPose (const Frame& frame, FrameSummary& summary);
 
   void
-  findObjects (const Frame& frame, FrameSummary& summary);
+  findObjects (FrameSummary& summary);
 
   void
-  findObstacles (const Frame& frame, FrameSummary& summary);
+  findObstacles (FrameSummary& summary);
 
   SegmenterOptions options_;
   bool has_memory_ = false;
-  pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZRGB, pcl::Normal> estimation_;
-  pcl::NormalSpacePlaneSegmentation<pcl::PointXYZRGB, pcl::Normal> segmentation_;
-  pcl::SupportedObjectExtraction<pcl::PointXYZRGB, pcl::Normal> extraction_;
-  pcl::ObstacleDetection<pcl::PointXYZRGB, pcl::Normal> detection_;
-  pcl::PointCloud<pcl::Normal>::Ptr normals_;
-  pcl::PointCloud<pcl::Label>::Ptr labels_;
-  std::vector<pcl::ModelCoefficients> coefficients_;
-  std::vector<pcl::PointIndices> inliers_;
-  std::vector<pcl::SupportedObject> objects_;
-  std::vector<Obstacle> obstacles_;
+  DetectionPipeline<pcl::PointXYZRGB> pipeline_;
 };
 
 } // namespace rgbd_planes

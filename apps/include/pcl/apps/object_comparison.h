@@ -53,7 +53,7 @@ public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
    * \param[in] noise that ours expects */
   explicit ObjectComparison (const std::vector<std::uint32_t>& steps,
-                             const DepthNoise& noise = {});
+                             const DepthNoise& noise = DepthNoise::kinectV1());
 
   /** \brief Adds a frame of full resolution; one without truth is left out. */
   void

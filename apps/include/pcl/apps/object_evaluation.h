@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/organized_view.h>
+#include <pcl/segmentation/supported_object_extraction.h>
 #include <pcl/simulation/simulate.h>
 #include <pcl/types.h>
 
@@ -24,6 +25,9 @@ struct FoundObject {
   Eigen::Vector3f size = Eigen::Vector3f::Zero();
   bool graspable = false;
 };
+
+std::vector<FoundObject>
+foundObjects (const std::vector<pcl::SupportedObject>& objects);
 
 /** \brief The objects of a frame as they truly are. */
 struct ObjectTruth {
@@ -62,10 +66,10 @@ lookAtFullSize (const OrganizedPoints& points,
 
 /** \brief How well found objects match true ones, pooled over frames.
  *
- * Objects are asked for when they have at least 50 measured points, their centre is within
- * 3.5 m of the camera, and they are 1 to 30 cm high where this is known: what is higher is no
- * object but an obstacle (Holz et al. 2011, sections 5.1 and 6). A found object is false when less than half of its points lie on any
- * object, asked for or not.
+ * Objects are asked for when they have at least 50 measured points, their centre is within 3.5 m
+ * of the camera, and they are 1 to 30 cm high where this is known: what is higher is no object
+ * but an obstacle (Holz et al. 2011, sections 5.1 and 6). A found object is false when less than
+ * half of its points lie on any object, asked for or not.
  */
 class ObjectEvaluation {
 public:

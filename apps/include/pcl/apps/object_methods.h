@@ -39,7 +39,7 @@ struct ObjectMethod {
 /** \brief Ours, "supported" and, with the split at concave edges, "supported_split".
  * \param[in] noise of the sensor */
 std::vector<ObjectMethod>
-objectMethods (const DepthNoise& noise = {});
+objectMethods (const DepthNoise& noise = DepthNoise::kinectV1());
 
 /** \brief PCL's SupervoxelClustering (voxels of 7.5 mm, seeds every 3 cm, transform for a single
  * camera) and LCCPSegmentation (10 degrees, sanity check, segments of 3 supervoxels and more) on

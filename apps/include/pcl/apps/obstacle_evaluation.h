@@ -53,7 +53,9 @@ struct ObstacleTruth {
 class ObstacleEvaluation {
 public:
   /** \param[in] noise of the sensor */
-  explicit ObstacleEvaluation (const DepthNoise& noise = {}) : noise_ (noise) {}
+  explicit ObstacleEvaluation (const DepthNoise& noise = DepthNoise::kinectV1())
+  : noise_ (noise)
+  {}
 
   /** \param[in] classes one for each point */
   void

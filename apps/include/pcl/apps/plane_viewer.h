@@ -24,7 +24,7 @@ struct ViewerOptions {
   /** See SegmenterOptions::camera_to_base. */
   std::optional<Eigen::Affine3f> camera_to_base;
   /** Of the sensor. */
-  DepthNoise depth_noise;
+  DepthNoise depth_noise = DepthNoise::kinectV1();
   /** See ViewerFrame. */
   std::optional<CorrectedOption> corrected;
   ViewerLayers layers;

@@ -24,7 +24,7 @@ public:
    */
   explicit ViewerFrame (const std::optional<Eigen::Affine3f>& camera_to_base,
                         const std::optional<CorrectedOption>& corrected = std::nullopt,
-                        const DepthNoise& depth_noise = {});
+                        const DepthNoise& depth_noise = DepthNoise::kinectV1());
 
   /** \brief Finds the planes, objects and obstacles of the next frame, and which of the planes
    * are those of the frames before.

@@ -18,10 +18,11 @@ namespace rgbd_planes {
 /** \brief Standard deviation of measured depth, constant + quadratic * range^2, in
  * metres, and the range up to which depth is worth using.
  *
- * The defaults are the figures of kinectV1 (). All presets describe the random error of matt
- * surfaces that face the sensor indoors; sunlight, dark or shiny surfaces and grazing views add
- * to it. So presets are lower bounds (is_least): planes, objects and obstacles measure each frame,
- * and take its noise where it is larger (noiseIn()). Figures of your own are taken as they are.
+ * The defaults are the figures of kinectV1 (), but taken as they are. All presets describe the
+ * random error of matt surfaces that face the sensor indoors; sunlight, dark or shiny surfaces
+ * and grazing views add to it. So presets are lower bounds (is_least): planes, objects and
+ * obstacles measure each frame, and take its noise where it is larger (noiseIn()). Figures of
+ * your own are taken as they are.
  *
  * For a stereo camera, the quadratic part is the error of disparity divided by focal length and
  * baseline: 0.1 px / (640 px * 0.05 m) = 3.1 mm. Take what this gives for yours, with the
