@@ -93,7 +93,7 @@ DepthCorrection::calibrateRoughly (const Cloud::ConstPtr& cloud, unsigned min_in
     throw AppError ("--corrected camera: the frames are of several sizes, but those of "
                     "one camera have one; evaluate each camera by itself");
   segment (coarse_, cloud, min_inliers, planes_);
-  rough_correction_.addFrame (cloud, planes_.models, planes_.inliers);
+  add (rough_correction_, cloud);
 }
 
 void
@@ -101,7 +101,7 @@ DepthCorrection::calibrateFinely (const Cloud::ConstPtr& cloud, unsigned min_inl
 {
   apply (rough_correction_, cloud);
   segment (fine_, corrected_, min_inliers, planes_);
-  correction_.addFrame (cloud, planes_.models, planes_.inliers);
+  add (correction_, cloud);
 }
 
 const DepthCorrection::Cloud::Ptr&
@@ -169,6 +169,14 @@ DepthCorrection::segment (Segmentation& segmentation,
   segmentation.setInputCloud (cloud);
   segmentation.setInputNormals (normals_);
   segmentation.segment (planes.models, planes.inliers);
+}
+
+void
+DepthCorrection::add (Correction& correction, const Cloud::ConstPtr& cloud) const
+{
+  if (!correction.addFrame (cloud, planes_.models, planes_.inliers))
+    throw AppError ("--corrected: a frame does not tell the smooth error of depth, for "
+                    "its planes are not where its points are; leave it out");
 }
 
 void

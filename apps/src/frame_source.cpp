@@ -76,10 +76,10 @@ FrameSource::FrameSource (const InputOptions& options) : options_ (options)
   else if (error == std::errc::permission_denied)
     throw AppError (input + ": " + error.message());
   else
-    throw AppError (input +
-                    ": no such file or folder; INPUT is a .pcd file, a depth .png, "
-                    "a folder of either, a TUM RGB-D folder, sim:SCENE[:SEED[:CAMERA]] "
-                    "or live:[DEVICE]");
+    throw AppError (
+        input + ": no such file or folder; INPUT is a .pcd file, a depth .png, "
+                "a folder of either, a TUM RGB-D folder, sim:SCENE[:SEED[:CAMERA]], "
+                "an .oni file or live:[DEVICE]");
 
   std::set<std::string> names;
   for (const auto& frame : frames_)
@@ -282,7 +282,8 @@ FrameSource::addFile (const fs::path& file)
   }
   if (!hasExtension (file, ".png"))
     throw AppError (file.string() + ": neither a .pcd nor a .png file" +
-                    (file.filename() == "depth.txt" ? "; give its folder" : ""));
+                    (file.filename() == "depth.txt" ? "; give its folder"
+                                                    : "; give one, or a recording"));
   if (!options_.intrinsics)
     throw AppError (file.string() +
                     ": a depth image needs its camera: add --intrinsics "

@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <system_error>
@@ -91,8 +93,11 @@ toObject (const Json& json)
 void
 readScene (const fs::path& file, Frame& frame)
 {
+  std::ifstream stream (file);
+  if (!stream)
+    throw AppError (file.string() +
+                    ": cannot open this file: " + std::strerror (errno));
   try {
-    std::ifstream stream (file);
     const Json json = Json::parse (stream);
     frame.camera_to_base = toPose (json.at ("camera_to_base"));
     for (const Json& plane : json.at ("planes"))

@@ -73,12 +73,13 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
   if (is_too_near || is_too_far)
     ++frames_out_of_scale_;
   else {
-    const float max_square =
-        noiseIn (viewPoints (cloud), {}, options_.depth_noise).maxSquaredRange();
+    const DepthNoise& given = options_.depth_noise;
+    const DepthNoise noise = noiseIn (viewPoints (cloud), {}, given);
     points_too_noisy_ += count ([&] (float squared_range) {
-      return squared_range > max_square &&
-             squared_range <= options_.depth_noise.maxSquaredRange();
+      return 10.f * noise.sigma (squared_range) > std::sqrt (squared_range) &&
+             squared_range <= given.maxSquaredRange();
     });
+    noisy_frames_ += noise.constant > 3.99f * given.constant; // 4 times is the limit
     frames_elsewhere_ += !isInCameraFrame (cloud);
   }
   if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
@@ -121,9 +122,16 @@ InputNotices::lines() const
     lines.push_back (
         (boost::format (
              "--depth-noise: %.0f %% of the measured points have noise of more "
-             "than a tenth of their range and are left out; figures are in "
+             "than a tenth of their range, which tells nothing; figures are in "
              "metres, 0.001,0.002 for 1 mm + 2 mm z^2") %
          percent (points_too_noisy_))
+            .str());
+  if (2 * noisy_frames_ > frames_)
+    lines.push_back (
+        (boost::format ("--depth-noise: %d of %d frames seem to have four times the "
+                        "noise of this sensor, or more; pcl_measure_depth_noise "
+                        "measures what they have") %
+         noisy_frames_ % frames_)
             .str());
   if (unmeasured_frames_ > 0)
     lines.push_back (

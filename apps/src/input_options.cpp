@@ -103,8 +103,8 @@ inputHelp ()
                help_width,
                20) +
          R"(
-  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, its URI, or a
-                    recording FILE.oni
+  FILE.oni          a recording of OpenNI 2
+  live:[DEVICE]     a camera that OpenNI 2 knows: any, #2 for the second, or its URI
 )";
 }
 

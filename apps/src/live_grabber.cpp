@@ -14,20 +14,32 @@
 namespace pcl {
 namespace rgbd_planes {
 
+namespace {
+
+bool
+isRecording (const std::string& device)
+{
+  return std::filesystem::path (device).extension() == ".oni";
+}
+
+} // namespace
+
 std::optional<std::string>
 liveDevice (const std::string& input)
 {
   const std::string live = "live:";
-  if (input.compare (0, live.size(), live) != 0)
-    return std::nullopt;
-  return input.substr (live.size());
+  if (input.compare (0, live.size(), live) == 0)
+    return input.substr (live.size());
+  if (isRecording (input))
+    return input;
+  return std::nullopt;
 }
 
 std::unique_ptr<pcl::Grabber>
 openLiveGrabber (const std::string& device)
 {
 #ifdef HAVE_OPENNI2
-  const bool is_file = std::filesystem::path (device).extension() == ".oni";
+  const bool is_file = isRecording (device);
   if (is_file && !std::filesystem::exists (device))
     throw AppError ("live:" + device + ": no such file");
   try {

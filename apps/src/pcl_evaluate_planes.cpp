@@ -67,7 +67,10 @@ void
 evaluatePlanes (int argc, char** argv)
 {
   po::options_description own ("Planes", help_width);
-  own.add_options() (
+  own.add_options() ("spherical-grid",
+                     "ours once more, with cells of spherical coordinates for the "
+                     "normals (section 4.1 of "
+                     "the paper) instead of voxels") (
       "without",
       po::value<std::vector<std::string>>()->value_name ("NAME,..."),
       ("ours once more, without these additions to the two stages of the paper: " +
@@ -89,13 +92,13 @@ evaluatePlanes (int argc, char** argv)
   if (!command)
     return;
   const po::variables_map& values = command->values;
-  PlaneComparison comparison (command->steps,
-                              readRightAngles (values),
-                              values.count ("without")
-                                  ? values["without"].as<std::vector<std::string>>()
-                                  : std::vector<std::string>(),
-                              readCorrected (values),
-                              readDepthNoise (values));
+  PlaneMethodOptions options;
+  options.spherical_grid = values.count ("spherical-grid") > 0;
+  if (values.count ("without"))
+    options.without = values["without"].as<std::vector<std::string>>();
+  options.corrected = readCorrected (values);
+  options.noise = readDepthNoise (values);
+  PlaneComparison comparison (command->steps, readRightAngles (values), options);
   std::size_t frames = 0, with_truth = 0;
   runEvaluation (
       *command,

@@ -53,9 +53,8 @@ before the list is printed; after an error until then there are no new ones.
 
 )";
 
-/** Nothing where only help or the version was asked for, which is printed. */
-std::optional<Options>
-readOptions (int argc, char** argv)
+po::options_description
+describeOptions ()
 {
   po::options_description options ("Options", help_width);
   addHelpOptions (options);
@@ -63,8 +62,10 @@ readOptions (int argc, char** argv)
       "min-inliers",
       po::value<std::string>()->value_name ("N"),
       "drop planes with fewer points; by default 1000 for 640 x 480 pixels and in "
-      "proportion for other sizes") (
-      "objects", "find objects on horizontal planes up to 1.2 m high") (
+      "proportion for other sizes") ("objects",
+                                     "find objects on horizontal planes up to 1.2 m "
+                                     "high: things with at least 40 points "
+                                     "at 640 x 480 pixels, 20 at 320 x 240 and less") (
       "obstacles",
       "find what a robot must not drive into, and write a virtual laser scan of it") (
       "base-transform",
@@ -73,10 +74,9 @@ readOptions (int argc, char** argv)
       "output",
       po::value<std::string>()->value_name ("DIR"),
       "write there, for each frame, FRAME_planes.png, FRAME_normals.png, "
-      "FRAME_depth.png "
-      "and FRAME_labels.pcd (x y z normal label), with --objects FRAME_objects.png, "
-      "with "
-      "--obstacles FRAME_obstacles.png and FRAME_scan.csv; for all frames planes.csv, "
+      "FRAME_depth.png and FRAME_labels.pcd (x y z normal label), with --objects "
+      "FRAME_objects.png, with --obstacles FRAME_obstacles.png and FRAME_scan.csv; for "
+      "all frames planes.csv, "
       "objects.csv, obstacles.csv and result.json; with --corrected camera warp.pcd, "
       "the error of depth for later runs, and warp.png. Planes and objects have "
       "colours of their own; boxes are white, of what is not graspable red; floor is "
@@ -88,6 +88,14 @@ readOptions (int argc, char** argv)
   addDepthNoiseOption (options);
   addCorrectedOption (options);
   options.add (inputOptionsDescription());
+  return options;
+}
+
+/** Nothing where only help or the version was asked for, which is printed. */
+std::optional<Options>
+readOptions (int argc, char** argv)
+{
+  const po::options_description options = describeOptions();
   const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
   if (printVersion (values))
     return std::nullopt;

@@ -32,6 +32,7 @@ struct Options {
   Sensor sensor;
   std::uint32_t step;
   fs::path output;
+  std::optional<fs::path> json;
   /** The start of all file names. */
   std::string name;
 };
@@ -93,7 +94,8 @@ readOptions (int argc, char** argv)
       "D4xx") ("resolution",
                text ("vga|qvga|qqvga")->default_value ("vga"),
                "take every 1st, 2nd or 4th pixel") (
-      "output", text ("DIR"), "write the files there");
+      "output", text ("DIR"), "write the files there") (
+      "json", text ("FILE"), "write NAME_truth.json to FILE, too");
   const po::variables_map values = parseCommandLine (argc, argv, options, "scene", 1);
   if (printVersion (values))
     return std::nullopt;
@@ -115,6 +117,9 @@ readOptions (int argc, char** argv)
   if (camera && sensor != Sensor::kinect)
     throw AppError ("--camera: only --sensor kinect has a smooth error of depth; leave "
                     "out --camera");
+  std::optional<fs::path> json;
+  if (values.count ("json"))
+    json = value ("json");
   const std::string scene = values["scene"].as<std::vector<std::string>>().front();
   return Options{scene,
                  seed,
@@ -122,6 +127,7 @@ readOptions (int argc, char** argv)
                  sensor,
                  parseResolution (value ("resolution")),
                  value ("output"),
+                 json,
                  scene + '_' + std::to_string (seed) +
                      (camera ? '_' + std::to_string (*camera) : std::string()) + '_' +
                      value ("sensor") + '_' + value ("resolution")};
@@ -158,6 +164,8 @@ simulateRgbd (int argc, char** argv)
   write (".pcd", encodePcd (cloud));
   write ("_truth.pcd", encodePcd (truth));
   write ("_truth.json", encodeSceneTruth (frame));
+  if (options->json)
+    files.write (*options->json, encodeSceneTruth (frame));
   write ("_colour.png", encodePng (colourPicture (cloud)));
   write ("_depth.png", encodePng (depthPicture (cloud)));
   write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));

@@ -26,13 +26,11 @@ constexpr int runs_per_frame = 3;
 
 PlaneComparison::PlaneComparison (const std::vector<std::uint32_t>& steps,
                                   const std::optional<RightAngles::Pairs>& right_angles,
-                                  const std::vector<std::string>& without,
-                                  const std::optional<CorrectedOption>& corrected,
-                                  const DepthNoise& noise)
+                                  const PlaneMethodOptions& options)
 : right_angles_ (right_angles)
 {
   for (const auto step : steps)
-    for (auto& method : planeMethods (without, corrected, noise)) {
+    for (auto& method : planeMethods (options)) {
       results_.push_back ({method.name, resolutionName (step), {}, {}, {}, {}, {}, {}});
       runs_.push_back ({step, std::move (method), {}});
     }

@@ -88,7 +88,8 @@ struct Additions : PlaneAdditions {
 PlaneMethod
 normalSpaceMethod (const std::string& name,
                    const Additions& additions,
-                   const DepthNoise& noise)
+                   const DepthNoise& noise,
+                   NormalSpaceGrid grid = NormalSpaceGrid::voxels)
 {
   using Estimation =
       pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
@@ -97,6 +98,7 @@ normalSpaceMethod (const std::string& name,
   estimation->setDepthNoise (noise);
   const auto segmentation = std::make_shared<NormalSpaceMethod> (additions);
   segmentation->setDepthNoise (noise);
+  segmentation->setNormalSpaceGrid (grid);
   const auto segment = [] (NormalSpaceMethod& method, SegmentedPlanes& planes) {
     method.segment (planes.models, planes.inliers);
   };
@@ -224,14 +226,16 @@ planeAdditionNames ()
 }
 
 std::vector<PlaneMethod>
-planeMethods (const std::vector<std::string>& without,
-              const std::optional<CorrectedOption>& corrected,
-              const DepthNoise& noise)
+planeMethods (const PlaneMethodOptions& options)
 {
+  const auto& [spherical_grid, without, corrected, noise] = options;
   std::vector<PlaneMethod> methods{
       normalSpaceMethod ("normal_space", {}, noise),
       makeMethod ("pcl_omps", organizedMultiPlanes()),
       makeMethod ("pcl_omps_tuned", organizedMultiPlanes (true))};
+  if (spherical_grid)
+    methods.push_back (
+        normalSpaceMethod ("spherical_grid", {}, noise, NormalSpaceGrid::spherical));
   for (auto list = without.begin(); list != without.end(); ++list) {
     const Additions additions = additionsWithout (*list);
     const auto same = std::find_if (without.begin(), list, [&] (const auto& other) {

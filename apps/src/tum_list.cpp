@@ -5,7 +5,9 @@
 #include <pcl/apps/parse_number.h>
 #include <pcl/apps/tum_list.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -34,6 +36,9 @@ readTumList (const std::filesystem::path& list)
 {
   TumList result;
   std::ifstream stream (list);
+  if (!stream)
+    throw AppError (list.string() +
+                    ": cannot open this file: " + std::strerror (errno));
   std::string line, timestamp, file;
   for (int number = 1; std::getline (stream, line); ++number) {
     std::istringstream words (line);

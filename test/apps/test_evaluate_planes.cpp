@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -136,6 +137,26 @@ TEST_F (EvaluatePlanes, WithoutAdditions)
   EXPECT_EQ (rows[4]["planes_found"], 1);
   EXPECT_EQ (rows[5]["method"], "no_all");
   EXPECT_EQ (rows[5]["planes_found"], 1) << "a cluster, however many its parts";
+}
+
+/** Section 4.1 of the paper: they differ by no more than noise. */
+TEST_F (EvaluatePlanes, BothGridsFindTheSame)
+{
+  ASSERT_EQ (
+      run ("sim:room sim:table_cluttered --spherical-grid --resolution vga --json "
+           "table.json")
+          .code,
+      0);
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 4u);
+  const json &voxels = rows[0], &spherical = rows[3];
+  EXPECT_EQ (spherical["method"], "spherical_grid");
+  const auto differ = [&] (const char* key) {
+    return std::abs (voxels[key].get<double>() - spherical[key].get<double>());
+  };
+  EXPECT_LE (differ ("planes_found"), 2.);
+  EXPECT_LE (differ ("f1_50"), 0.05);
+  EXPECT_LE (differ ("coverage_percent"), 1.);
 }
 
 TEST_F (EvaluatePlanes, FramesOfACameraHaveOneSize)

@@ -244,6 +244,7 @@ TEST (FrameSource, WrongInputsAreRefused)
   writeFile (folder / "cloud.ply", "ply");
   EXPECT_TRUE (contains (messageOf (inputOf (folder / "cloud.ply")), "neither"));
   EXPECT_TRUE (contains (messageOf (inputOf ("live:none.oni")), "no such file"));
+  EXPECT_TRUE (contains (messageOf (inputOf ("none.oni")), "none.oni: no such file"));
 }
 
 TEST (FrameSource, BrokenFileInFolderIsAnError)

@@ -110,9 +110,7 @@ TEST (Interruption, ComparisonsStopWithinAFrame)
   const auto radius = [] (float) { return 0.02f; };
   const DepthNoise noise = DepthNoise::kinectV1();
   EXPECT_EXIT (addInterrupted (NormalComparison (steps, radius)), stops, "interrupted");
-  EXPECT_EXIT (addInterrupted (PlaneComparison (steps, {}, {}, {}, noise)),
-               stops,
-               "interrupted");
+  EXPECT_EXIT (addInterrupted (PlaneComparison (steps, {}, {})), stops, "interrupted");
   EXPECT_EXIT (
       addInterrupted (DetectionComparison (steps, noise)), stops, "interrupted");
   EXPECT_EXIT (addInterrupted (ObjectComparison (steps, noise)), stops, "interrupted");

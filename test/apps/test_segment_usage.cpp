@@ -2,8 +2,10 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "segment_planes_test.h"
+#include "synthetic_clouds.h"
 
 #include <pcl/common/transforms.h>
+#include <pcl/features/depth_noise.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/simulation/simulate.h>
 
@@ -174,13 +176,34 @@ TEST_F (SegmentUsage, SensorsSeeAsFarAsTheirNoiseSays)
 TEST_F (SegmentUsage, NoiseInMillimetresIsTold)
 {
   writeTwoWalls ("walls.png");
-  const Outcome result = run ("walls.png --intrinsics 131,131,79.5,59.5 --depth-scale "
-                              "250 --depth-noise 1,2");
-  EXPECT_EQ (result.code, 0) << result.err;
-  EXPECT_EQ (result.err,
-             "pcl_segment_planes: --depth-noise: 100 % of the measured points have "
-             "noise of more than a tenth of their range and are left out; figures are "
-             "in metres, 0.001,0.002 for 1 mm + 2 mm z^2\n");
+  for (const std::string figures : {"1,2", "1,0"}) {
+    const Outcome result = run (
+        "walls.png --intrinsics 131,131,79.5,59.5 --depth-scale 250 --depth-noise " +
+        figures);
+    EXPECT_EQ (result.code, 0) << result.err;
+    EXPECT_EQ (
+        result.err,
+        "pcl_segment_planes: --depth-noise: 100 % of the measured points have "
+        "noise of more than a tenth of their range, which tells nothing; figures "
+        "are in metres, 0.001,0.002 for 1 mm + 2 mm z^2\n");
+  }
+}
+
+TEST_F (SegmentUsage, FramesWithFarMoreNoiseThanTheSensorAreTold)
+{
+  const auto errorsWith = [this] (float factor) {
+    const auto scene = synthetic::render (
+        {synthetic::tiltedPlane (1.5f, 0.f, 20.f)}, 640, 480, [factor] (float z) {
+          return factor * DepthNoise::kinectV1().sigma (z * z);
+        });
+    pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
+    return run ("wall.pcd").err;
+  };
+  EXPECT_EQ (errorsWith (2.f), "");
+  EXPECT_EQ (errorsWith (8.f),
+             "pcl_segment_planes: --depth-noise: 1 of 1 frames seem to have four times "
+             "the noise of this sensor, or more; pcl_measure_depth_noise measures what "
+             "they have\n");
 }
 
 TEST_F (SegmentUsage, BadUsageIsRefused)

@@ -24,6 +24,15 @@ protected:
 
 } // namespace
 
+TEST_F (SimulateRgbd, TheTruthGoesToAnotherFileToo)
+{
+  const Outcome outcome = run ("room --resolution qqvga --output d --json truth.json");
+  ASSERT_EQ (outcome.code, 0) << outcome.err;
+  const std::string truth = readFile (folder_ / "truth.json");
+  EXPECT_FALSE (truth.empty());
+  EXPECT_EQ (truth, readFile (folder_ / "d/room_1_kinect_qqvga_truth.json"));
+}
+
 TEST_F (SimulateRgbd, TheFilesHoldTheFrame)
 {
   const std::string name = "corridor_3_kinect_qqvga";

@@ -21,8 +21,8 @@ struct DepthCamera {
   std::shared_ptr<bool> doubt_is_told;
 };
 
-/** \brief The cloud of a depth image, as toCloud() makes it. AppError where the image cannot be read
- * or is not of this camera. */
+/** \brief The cloud of a depth image, as toCloud() makes it. AppError where the image cannot be
+ * read or is not of this camera. */
 pcl::PointCloud<pcl::PointXYZRGB>::Ptr
 readDepthImage (const std::filesystem::path& file, const DepthCamera& camera);
 

@@ -117,6 +117,10 @@ private:
            unsigned min_inliers,
            SegmentedPlanes& planes);
 
+  /** \brief Adds the planes that were segmented last; AppError where they do not fit. */
+  void
+  add (Correction& correction, const Cloud::ConstPtr& cloud) const;
+
   void
   apply (Correction& correction, const Cloud::ConstPtr& cloud);
 

@@ -15,8 +15,8 @@ bool
 hasExtension (const std::filesystem::path& file, const std::string& extension);
 
 /** \brief The files of a folder for which hasExtension() holds, in the natural order of their
- * names (2.png before 10.png), without hidden ones and without NAME_truth.pcd, the ground truth
- * that pcl_simulate_rgbd writes beside NAME.pcd. */
+ * names (2.png before 10.png), without hidden ones and without those that our applications write
+ * beside a frame: NAME_truth.pcd and NAME_view.pcd. */
 std::vector<std::filesystem::path>
 listFrames (const std::filesystem::path& folder, const std::string& extension);
 

@@ -15,8 +15,9 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief Collects what makes the results of a run doubtful though nothing is wrong with its
- * command line: frames without depth, or in another unit than metres, a range or noise of the sensor that
- * leaves out many points, clouds that are not in the frame of the camera, a pose that is a guess. */
+ * command line: frames without depth, or in another unit than metres, a range or noise of the
+ * sensor that leaves out many points, clouds that are not in the frame of the camera, a pose
+ * that is a guess. */
 class InputNotices {
 public:
   explicit InputNotices (const SegmenterOptions& options) : options_ (options) {}
@@ -38,6 +39,7 @@ private:
   std::size_t measured_points_ = 0;
   std::size_t points_out_of_range_ = 0;
   std::size_t points_too_noisy_ = 0;
+  std::size_t noisy_frames_ = 0;
   std::size_t unmeasured_frames_ = 0;
   std::size_t frames_out_of_scale_ = 0;
   std::size_t frames_elsewhere_ = 0;

@@ -12,7 +12,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief The device of an input "live:DEVICE"; nothing for other inputs. */
+/** \brief The device of an input "live:DEVICE" or "FILE.oni"; nothing for other inputs. */
 std::optional<std::string>
 liveDevice (const std::string& input);
 

@@ -29,7 +29,7 @@ obstaclesCsv (const std::vector<FrameSummary>& frames);
 std::string
 scanCsv (const VirtualScan& scan);
 
-/** \brief {"floor_found", "camera_to_base", "obstacles", "scan"}; null is unknown, and in
+/** \brief {"pose", "floor_found", "camera_to_base", "obstacles", "scan"}; null is unknown, and in
  * the ranges of the scan infinite. */
 nlohmann::ordered_json
 obstaclesJson (const FrameSummary& frame);

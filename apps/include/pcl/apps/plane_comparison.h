@@ -42,13 +42,10 @@ class PlaneComparison {
 public:
   /** \param[in] steps resolutions: every step-th pixel, of 1, 2 and 4
    * \param[in] right_angles which pairs of planes of the scenes are at right angles, if any
-   * \param[in] without, corrected, noise as planeMethods() takes them
    */
   PlaneComparison (const std::vector<std::uint32_t>& steps,
                    const std::optional<RightAngles::Pairs>& right_angles,
-                   const std::vector<std::string>& without,
-                   const std::optional<CorrectedOption>& corrected,
-                   const DepthNoise& noise);
+                   const PlaneMethodOptions& options);
 
   /** \brief What is to be shown all frames, one after the other, before the first
    * add (). */

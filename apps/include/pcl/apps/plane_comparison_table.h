@@ -12,7 +12,7 @@ namespace pcl {
 namespace rgbd_planes {
 
 /** \brief The table for people; a second one follows where there are figures of labelled
- * objects, curved surfaces or right angles. */
+ * objects, curved surfaces or right angles, a third one where the correction was evaluated. */
 std::string
 planeComparisonTable (const std::vector<PlaneResult>& results);
 

@@ -57,19 +57,23 @@ struct PlaneMethod {
 std::string
 planeAdditionNames ();
 
-/** \brief Ours as the class has it, "normal_space", and organizedMultiPlanes(), "pcl_omps" and
- * "pcl_omps_tuned".
- * \param[in] without lists of PlaneAdditions, "NAME,..." or "all": for each, ours once
- * more without these, "no_" and the list
- * Throws AppError where a name is none of them.
- * \param[in] corrected for ours once more on points that DepthWarpCorrection corrected,
- * "corrected"
- * \param[in] noise that ours expects of points that are not corrected
- */
+/** \brief Which planeMethods() there are. */
+struct PlaneMethodOptions {
+  /** Ours once more with cells of spherical coordinates, "spherical_grid". */
+  bool spherical_grid = false;
+  /** Lists of PlaneAdditions, "NAME,..." or "all": for each, ours once more without these, "no_"
+   * and the list. */
+  std::vector<std::string> without;
+  /** Ours once more on points that DepthWarpCorrection corrected, "corrected". */
+  std::optional<CorrectedOption> corrected;
+  /** That ours expects of points that are not corrected. */
+  DepthNoise noise = DepthNoise::kinectV1();
+};
+
+/** \brief Ours as the class has it, "normal_space", organizedMultiPlanes(), "pcl_omps" and
+ * "pcl_omps_tuned", and those of \a options. AppError where a name of an addition is none. */
 std::vector<PlaneMethod>
-planeMethods (const std::vector<std::string>& without,
-              const std::optional<CorrectedOption>& corrected,
-              const DepthNoise& noise);
+planeMethods (const PlaneMethodOptions& options);
 
 } // namespace rgbd_planes
 } // namespace pcl
