@@ -12,7 +12,8 @@ left out where PCL_RGBD_PLANES_DATA is not set, and those that are marked not-in
 install packages and build this project, as the tests' own script does, or take long.
 
 The C++ and CMake of README.md is compiled by test/consumers, that of tutorials by their own
-commands."""
+commands, but for blocks of C++ inside of a tutorial: test/documents/snippets/TUTORIAL.cpp.in says
+what is around them, with @1@ for the first block."""
 import os
 import pathlib
 import re
@@ -118,9 +119,26 @@ def make_inputs(folder, environment):
     os.link(folder / "depth.png", tum / "1.png")
 
 
+def compile_cpp(document, source, folder, environment):
+    """Compiles the C++ blocks of a tutorial, with what is around them."""
+    blocks = [text for language, text in code_blocks(document) if language == "cpp"]
+    if document.suffix != ".rst" or not blocks:
+        return
+    template = source / "test" / "documents" / "snippets" / f"{document.stem}.cpp.in"
+    code = template.read_text(encoding="utf-8")
+    for number, block in enumerate(blocks, 1):
+        if code.count(f"@{number}@") != 1:
+            sys.exit(f"{template.name}: @{number}@ is not there once")
+        code = code.replace(f"@{number}@", block)
+    (folder / "blocks.cpp").write_text(code, encoding="utf-8")
+    run("c++ -std=c++17 -fsyntax-only $(pkg-config --cflags pcl_rgbd_planes) blocks.cpp", folder,
+        environment)
+
+
 def run_document(document, source, folder, environment):
     for name in ("doc", "scripts"):
         (folder / name).symlink_to(source / name)
+    compile_cpp(document, source, folder, environment)
     make_inputs(folder, environment)
     for language, text in code_blocks(document):
         if language == "console":
@@ -135,8 +153,10 @@ def main():
     document, source, prefix = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     check_included_files(document)
     data = os.environ.get("PCL_RGBD_PLANES_DATA", "")
+    package = next(prefix.rglob("pcl_rgbd_planes.pc")).parent
     environment = dict(os.environ, PATH=f"{prefix}/bin:{os.environ['PATH']}",
-                       CMAKE_PREFIX_PATH=str(prefix), DATA=data, CORRIDOR=f"{data}/kinect")
+                       CMAKE_PREFIX_PATH=str(prefix), PKG_CONFIG_PATH=str(package), DATA=data,
+                       CORRIDOR=f"{data}/kinect")
     with tempfile.TemporaryDirectory() as folder:
         run_document(document, source, pathlib.Path(folder), environment)
 
