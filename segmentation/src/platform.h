@@ -40,8 +40,8 @@ private:
 };
 
 /** Whether hardly any ray goes through \a hull to what is below: the tops of things that are as
- * high as each other have a hull in common, with gaps. What stands on a surface, or before it, makes
- * none. */
+ * high as each other have a hull in common, with gaps. What stands on a surface, or before it,
+ * makes none. */
 bool
 isClosed (const OrganizedPoints& points,
           const pcl::Indices& inliers,

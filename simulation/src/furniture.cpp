@@ -4,6 +4,7 @@
 #include "furniture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace pcl {

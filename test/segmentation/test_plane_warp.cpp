@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using Eigen::Vector3f;
 using pcl::rgbd_planes::Plane;

@@ -8,8 +8,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Whether something \a is_so that was not so in the frame before: all frames of a camera are
- * alike, and a warning for each would fill the log.
+/** \brief Whether something \a is_so that was not so in the frame before: all frames of a camera
+ * are alike, and a warning for each would fill the log.
  * \param[in,out] was_so whether it was so in the frame before; then, whether it is
  */
 inline bool

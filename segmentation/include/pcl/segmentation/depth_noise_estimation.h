@@ -52,8 +52,8 @@ public:
     float sigma;
   };
 
-  /** \brief Adds a frame, of which some 10 kB are kept; false after an error message where it is not organized or empty, or
-   * its \c sensor_origin_ is not finite.
+  /** \brief Adds a frame, of which some 10 kB are kept; false after an error message where it is
+   * not organized or empty, or its \c sensor_origin_ is not finite.
    * \param[in] cloud in metres, with the place of the sensor as \c sensor_origin_; in the frame of
    * the camera where depth is told in steps, for only there the points of one step have one z
    */
