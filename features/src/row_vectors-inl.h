@@ -25,9 +25,7 @@ constexpr float reach_sigmas = 3.f;
 /** A plane whose window bends by this angle, in radians, counts half. */
 constexpr float half_weight_bend = 0.2f;
 constexpr float sharpness = 1.f / (half_weight_bend * half_weight_bend);
-/** Points nearer, which are missing ones but for what is rounded, or farther are taken for missing
- * ones; the squares of the farthest still are floats. */
-constexpr float nearest_range = 1e-6f;
+/** Points farther are taken for missing ones; their squares still are floats. */
 constexpr float farthest_range = 1e15f;
 
 HWY_INLINE void
@@ -149,7 +147,7 @@ relativePoints (const SensorModel& sensor, V x, V y, V z)
   const V squared_range = dot (p, p);
   const Mask measured =
       hn::And (hn::Gt (dot (absolute, absolute), hn::Zero (Floats())),
-               hn::And (hn::Gt (squared_range, set (nearest_range * nearest_range)),
+               hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
                         hn::Lt (squared_range, set (farthest_range * farthest_range))));
   return {
       onlyWhere (measured, p), hn::IfThenElseZero (measured, squared_range), measured};

@@ -70,9 +70,7 @@ placesOf (const Points& p,
   const V squared_range = squaredLength (p);
   const V noise =
       hn::Mul (set (plane_sigmas), sigmaOf (parameters.noise, squared_range));
-  Mask is_open =
-      hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
-               hn::Le (squared_range, set (parameters.noise.maxSquaredRange())));
+  Mask is_open = isUsable (squared_range, set (parameters.noise.maxSquaredRange()));
   auto place = hn::Set (Ints(), 1);
   for (std::size_t number = 0; number < planes.size(); ++number) {
     if (hn::AllFalse (Floats(), is_open))

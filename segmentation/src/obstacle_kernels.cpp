@@ -51,8 +51,7 @@ struct Heights {
            const Eigen::Vector4f& floor,
            const ObstaclePointParameters& parameters)
   {
-    measured = hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
-                        hn::Le (squared_range, farthest));
+    measured = isUsable (squared_range, farthest);
     height = hn::Add (dot (PlaneEquation{floor[0], floor[1], floor[2], 0.f}, p),
                       set (floor[3]));
     const V scaled_sigma = hn::Mul (set (floor[3]), sigma);

@@ -98,9 +98,7 @@ assignPointsHere (const PointBlock& points,
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Points p = load (points, i);
     const V squared_range = squaredLength (p);
-    const Mask measured =
-        hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
-                 hn::Le (squared_range, farthest));
+    const Mask measured = isUsable (squared_range, farthest);
     const V range = hn::Sqrt (squared_range);
     Nearest nearest = {p,
                        range,

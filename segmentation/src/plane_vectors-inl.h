@@ -39,6 +39,14 @@ load (const PointBlock& points, std::size_t i)
   return {load (points.x + i), load (points.y + i), load (points.z + i)};
 }
 
+/** Whether points at this range are measurements, and no farther than the sensor is worth using. */
+HWY_INLINE Mask
+isUsable (V squared_range, V farthest)
+{
+  return hn::And (hn::Gt (squared_range, set (DepthNoise::min_squared_range)),
+                  hn::Le (squared_range, farthest));
+}
+
 HWY_INLINE I
 setInts (std::uint32_t value)
 {
