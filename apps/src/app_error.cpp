@@ -4,6 +4,8 @@
 #include <pcl/apps/app_error.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -18,6 +20,12 @@ namespace {
 std::string app_name;
 
 } // namespace
+
+AppError
+cannotOpen (const std::string& file)
+{
+  return AppError (file + ": cannot open this file: " + std::strerror (errno));
+}
 
 void
 flushOutput ()

@@ -6,7 +6,6 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/depth_image.h>
 
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -102,7 +101,7 @@ readDepthPng (const std::string& path)
   PngReader reader;
   const File file = open (path, reader);
   if (!file)
-    throw AppError (path + ": cannot open this file: " + std::strerror (errno));
+    throw cannotOpen (path);
 
   DepthImage image;
   if (!readHeader (reader, file.get(), image))

@@ -10,9 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <system_error>
@@ -95,8 +93,7 @@ readScene (const fs::path& file, Frame& frame)
 {
   std::ifstream stream (file);
   if (!stream)
-    throw AppError (file.string() +
-                    ": cannot open this file: " + std::strerror (errno));
+    throw cannotOpen (file.string());
   try {
     const Json json = Json::parse (stream);
     frame.camera_to_base = toPose (json.at ("camera_to_base"));

@@ -8,7 +8,6 @@
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -38,7 +37,7 @@ readBytes (const std::string& file)
   std::ifstream stream (file, std::ios::binary);
   stream.peek(); // which folders do not let
   if (!stream.is_open() || stream.bad())
-    throw AppError (file + ": cannot open this file: " + std::strerror (errno));
+    throw cannotOpen (file);
   std::ostringstream bytes;
   bytes << stream.rdbuf();
   return bytes.str();

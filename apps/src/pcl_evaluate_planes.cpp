@@ -69,8 +69,7 @@ evaluatePlanes (int argc, char** argv)
   po::options_description own ("Planes", help_width);
   own.add_options() ("spherical-grid",
                      "ours once more, with cells of spherical coordinates for the "
-                     "normals (section 4.1 of "
-                     "the paper) instead of voxels") (
+                     "normals (section 4.1 of the paper) instead of voxels") (
       "without",
       po::value<std::vector<std::string>>()->value_name ("NAME,..."),
       ("ours once more, without these additions to the two stages of the paper: " +

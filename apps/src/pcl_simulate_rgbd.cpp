@@ -163,9 +163,10 @@ simulateRgbd (int argc, char** argv)
   };
   write (".pcd", encodePcd (cloud));
   write ("_truth.pcd", encodePcd (truth));
-  write ("_truth.json", encodeSceneTruth (frame));
+  const std::string scene_truth = encodeSceneTruth (frame);
+  write ("_truth.json", scene_truth);
   if (options->json)
-    files.write (*options->json, encodeSceneTruth (frame));
+    files.write (*options->json, scene_truth);
   write ("_colour.png", encodePng (colourPicture (cloud)));
   write ("_depth.png", encodePng (depthPicture (cloud)));
   write ("_planes.png", encodePng (planesPicture (cloud, planeLabels (truth))));

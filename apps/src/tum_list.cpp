@@ -5,9 +5,7 @@
 #include <pcl/apps/parse_number.h>
 #include <pcl/apps/tum_list.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -37,8 +35,7 @@ readTumList (const std::filesystem::path& list)
   TumList result;
   std::ifstream stream (list);
   if (!stream)
-    throw AppError (list.string() +
-                    ": cannot open this file: " + std::strerror (errno));
+    throw cannotOpen (list.string());
   std::string line, timestamp, file;
   for (int number = 1; std::getline (stream, line); ++number) {
     std::istringstream words (line);

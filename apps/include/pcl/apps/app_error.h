@@ -16,6 +16,10 @@ class AppError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/** \brief The error for a file that could not be opened just now; \c errno says why. */
+AppError
+cannotOpen (const std::string& file);
+
 /** \brief Throws AppError where standard output did not take all that was printed. To be
  * called when files are committed: who reads only the start of it gets them all the same. */
 void
