@@ -70,6 +70,9 @@ evaluatePlanes (int argc, char** argv)
   own.add_options() ("spherical-grid",
                      "ours once more, with cells of spherical coordinates for the "
                      "normals (section 4.1 of the paper) instead of voxels") (
+      "kept-settings",
+      "ours once more, with the smoothing size and thresholds of pcl_omps, as in a "
+      "program of which nothing but the names of classes changed") (
       "without",
       po::value<std::vector<std::string>>()->value_name ("NAME,..."),
       ("ours once more, without these additions to the two stages of the paper: " +
@@ -93,6 +96,7 @@ evaluatePlanes (int argc, char** argv)
   const po::variables_map& values = command->values;
   PlaneMethodOptions options;
   options.spherical_grid = values.count ("spherical-grid") > 0;
+  options.kept_settings = values.count ("kept-settings") > 0;
   if (values.count ("without"))
     options.without = values["without"].as<std::vector<std::string>>();
   options.corrected = readCorrected (values);

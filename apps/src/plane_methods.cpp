@@ -22,6 +22,9 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+/** That programs set with PCL's normals. */
+constexpr float usual_smoothing_size = 10.f;
+
 void
 convert (const SegmentedPlanes& output, std::size_t points, PlaneSet& planes)
 {
@@ -85,24 +88,46 @@ struct Additions : PlaneAdditions {
   bool edges = true;
 };
 
+using TangentEstimation =
+    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
+
+/** \param[in] set (estimation, segmentation) changes their settings */
 PlaneMethod
-normalSpaceMethod (const std::string& name,
-                   const Additions& additions,
-                   const DepthNoise& noise,
-                   NormalSpaceGrid grid = NormalSpaceGrid::voxels)
+normalSpaceMethod (
+    const std::string& name,
+    const Additions& additions,
+    const DepthNoise& noise,
+    const std::function<void (TangentEstimation&, NormalSpaceMethod&)>& set = {})
 {
-  using Estimation =
-      pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal>;
-  const auto estimation = std::make_shared<Estimation>();
+  const auto estimation = std::make_shared<TangentEstimation>();
   estimation->setEdgeAware (additions.edges);
   estimation->setDepthNoise (noise);
   const auto segmentation = std::make_shared<NormalSpaceMethod> (additions);
   segmentation->setDepthNoise (noise);
-  segmentation->setNormalSpaceGrid (grid);
+  if (set)
+    set (*estimation, *segmentation);
   const auto segment = [] (NormalSpaceMethod& method, SegmentedPlanes& planes) {
     method.segment (planes.models, planes.inliers);
   };
   return makeMethod (name, findPlanes (estimation, segmentation, segment));
+}
+
+void
+takeSphericalGrid (TangentEstimation&, NormalSpaceMethod& segmentation)
+{
+  segmentation.setNormalSpaceGrid (NormalSpaceGrid::spherical);
+}
+
+/** Sets what organizedMultiPlanes() has. */
+void
+keepSettings (TangentEstimation& estimation, NormalSpaceMethod& segmentation)
+{
+  const pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label>
+      theirs;
+  estimation.setNormalSmoothingSize (usual_smoothing_size);
+  segmentation.setAngularThreshold (theirs.getAngularThreshold());
+  segmentation.setDistanceThreshold (theirs.getDistanceThreshold());
+  segmentation.setMaximumCurvature (theirs.getMaximumCurvature());
 }
 
 /** Ours on corrected points. */
@@ -186,7 +211,7 @@ organizedMultiPlanes (bool tuned)
   using Region = pcl::PlanarRegion<pcl::PointXYZ>;
   const auto estimation = std::make_shared<Estimation>();
   estimation->setNormalEstimationMethod (Estimation::AVERAGE_3D_GRADIENT);
-  estimation->setNormalSmoothingSize (10.f);
+  estimation->setNormalSmoothingSize (usual_smoothing_size);
   const auto segment = [] (Segmentation& segmentation, SegmentedPlanes& planes) {
     // It appends to its outputs, and reads past the end of used labels.
     planes.models.clear();
@@ -228,14 +253,16 @@ planeAdditionNames ()
 std::vector<PlaneMethod>
 planeMethods (const PlaneMethodOptions& options)
 {
-  const auto& [spherical_grid, without, corrected, noise] = options;
+  const auto& [spherical_grid, kept_settings, without, corrected, noise] = options;
   std::vector<PlaneMethod> methods{
       normalSpaceMethod ("normal_space", {}, noise),
       makeMethod ("pcl_omps", organizedMultiPlanes()),
       makeMethod ("pcl_omps_tuned", organizedMultiPlanes (true))};
   if (spherical_grid)
     methods.push_back (
-        normalSpaceMethod ("spherical_grid", {}, noise, NormalSpaceGrid::spherical));
+        normalSpaceMethod ("spherical_grid", {}, noise, takeSphericalGrid));
+  if (kept_settings)
+    methods.push_back (normalSpaceMethod ("kept_settings", {}, noise, keepSettings));
   for (auto list = without.begin(); list != without.end(); ++list) {
     const Additions additions = additionsWithout (*list);
     const auto same = std::find_if (without.begin(), list, [&] (const auto& other) {

@@ -35,7 +35,7 @@ void
 applyAdditions (PlaneExtractionParameters& parameters)
 {
   if (!parameters.additions.creases)
-    parameters.maximum_curvature = std::numeric_limits<double>::infinity();
+    parameters.max_point_curvature = std::numeric_limits<double>::infinity();
   if (!parameters.additions.noise) {
     parameters.noise.constant = parameters.noise.sigma (squared_usual_range);
     parameters.noise.quadratic = 0.f;
@@ -73,7 +73,7 @@ PlaneExtraction::compute (const OrganizedPoints& points,
                     normals,
                     selected,
                     parameters_.noise,
-                    static_cast<float> (parameters_.maximum_curvature));
+                    static_cast<float> (parameters_.max_point_curvature));
   times_.normal_space = secondsSince (start);
 
   const double min_samples =

@@ -74,7 +74,9 @@ PlaneExtraction::finish (std::size_t width)
     return sums[k].points < min_points ||
            !assignment_.weightedMoments()[k].determinePlane();
   });
-  rejections_.curved += dropWhere ([&] (std::uint32_t k) { return isPatch (k); });
+  rejections_.curved += dropWhere ([&] (std::uint32_t k) {
+    return isPatch (k) || sums[k].curvature() > parameters_.maximum_curvature;
+  });
   std::sort (order_.begin(), order_.end(), [&] (std::uint32_t a, std::uint32_t b) {
     return sums[a].points != sums[b].points ? sums[a].points > sums[b].points : a < b;
   });

@@ -32,7 +32,7 @@ constexpr float min_view_cosine = 0.1f;
 /** From the points of \a samples, (0, 0, 0) where there is none, their normals and
  * curvatures, fills in all else; normals that are none become (0, 0, 0). */
 void
-judgeSamples (PlaneSamples& samples, const DepthNoise& noise, float maximum_curvature);
+judgeSamples (PlaneSamples& samples, const DepthNoise& noise, float max_curvature);
 
 /** Marks the free samples of \a tile that lie on a plane and whose normals agree.
  * \param[out] claimed the weight of each sample of the tile that does, 0 for others

@@ -77,7 +77,7 @@ PlaneSamples::compute (const OrganizedPoints& points,
                        const OrganizedNormals& normals,
                        const std::vector<std::uint8_t>& selected,
                        const DepthNoise& noise,
-                       float maximum_curvature)
+                       float max_curvature)
 {
   resize (points.width, points.height);
   const float farthest = noise.maxSquaredRange();
@@ -117,7 +117,7 @@ PlaneSamples::compute (const OrganizedPoints& points,
     if (pixel != points.size())
       copyPixel (points, normals, pixel, at (u, v));
   }
-  judgeSamples (*this, noise, maximum_curvature);
+  judgeSamples (*this, noise, max_curvature);
 }
 
 void

@@ -24,9 +24,7 @@ constexpr float trusted_share = 0.5f;
 } // namespace
 
 void
-judgeSamplesHere (PlaneSamples& samples,
-                  const DepthNoise& noise,
-                  float maximum_curvature)
+judgeSamplesHere (PlaneSamples& samples, const DepthNoise& noise, float max_curvature)
 {
   const V none = set (-1.f);
   const float scatter = std::sqrt (std::sqrt (noise.normal_scatter));
@@ -59,7 +57,7 @@ judgeSamplesHere (PlaneSamples& samples,
                   &(*values)[i]);
     const V curvature = load (&samples.curvature[i]);
     const Mask is_seed =
-        hn::AndNot (hn::Gt (curvature, set (maximum_curvature)), has_normal);
+        hn::AndNot (hn::Gt (curvature, set (max_curvature)), has_normal);
     // Compressing straight into memory is slow on some processors.
     const hn::RebindToUnsigned<Floats> indices;
     hn::StoreU (hn::Compress (hn::Iota (indices, static_cast<std::uint32_t> (i)),
@@ -68,7 +66,7 @@ judgeSamplesHere (PlaneSamples& samples,
                 &samples.seeds[seeds]);
     seeds += hn::CountTrue (Floats(), is_seed);
     const Mask is_trusted = hn::AndNot (
-        hn::Gt (curvature, set (trusted_share * maximum_curvature)), has_normal);
+        hn::Gt (curvature, set (trusted_share * max_curvature)), has_normal);
     const V degrees = hn::MulAdd (
         range, set (scatter * angle_per_metre), set (scatter * angle_at_sensor));
     hn::StoreU (hn::IfThenElse (is_trusted, cosineOf (degrees), none),
@@ -197,9 +195,9 @@ HWY_EXPORT (sumSamplesHere);
 HWY_EXPORT (samplesAtPlaneHere);
 
 void
-judgeSamples (PlaneSamples& samples, const DepthNoise& noise, float maximum_curvature)
+judgeSamples (PlaneSamples& samples, const DepthNoise& noise, float max_curvature)
 {
-  HWY_DYNAMIC_DISPATCH (judgeSamplesHere) (samples, noise, maximum_curvature);
+  HWY_DYNAMIC_DISPATCH (judgeSamplesHere) (samples, noise, max_curvature);
 }
 
 std::uint8_t

@@ -159,6 +159,24 @@ TEST_F (EvaluatePlanes, BothGridsFindTheSame)
   EXPECT_LE (differ ("coverage_percent"), 1.);
 }
 
+/** A program in which nothing but the names of classes changed gains from that. */
+TEST_F (EvaluatePlanes, MoreThanPclWithTheSettingsOfPcl)
+{
+  ASSERT_EQ (
+      run ("sim:room sim:table_cluttered --kept-settings --json table.json").code, 0);
+  const json rows = results();
+  ASSERT_EQ (rows.size(), 12u);
+  for (std::size_t i = 0; i < rows.size(); i += 4) {
+    const json &ours = rows[i], &theirs = rows[i + 1], &kept = rows[i + 3];
+    EXPECT_EQ (theirs["method"], "pcl_omps");
+    EXPECT_EQ (kept["method"], "kept_settings");
+    EXPECT_GT (kept["correct_80"], theirs["correct_80"]);
+    EXPECT_LE (kept["noise"], theirs["noise"]);
+    EXPECT_GT (kept["f1_50"], theirs["f1_50"]);
+    EXPECT_LT (kept["f1_50"], ours["f1_50"]) << "the settings count";
+  }
+}
+
 TEST_F (EvaluatePlanes, FramesOfACameraHaveOneSize)
 {
   const auto scene = synthetic::render ({synthetic::tiltedPlane (1.f, 10.f, 5.f)});

@@ -85,6 +85,7 @@ setAny (FuzzedDataProvider& data,
   segmentation.setAngularThreshold (anyFloat (data));
   segmentation.setDistanceThreshold (anyFloat (data));
   segmentation.setMaximumCurvature (anyFloat (data));
+  segmentation.setMaximumPointCurvature (anyFloat (data));
   segmentation.setMinimumNearNormals (anyFloat (data));
   segmentation.setDepthNoise (anyNoise (data));
   segmentation.setMinimumCellShare (anyFloat (data));

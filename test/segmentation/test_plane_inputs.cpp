@@ -360,7 +360,7 @@ TEST (PlaneInputs, EverySetterHasAnEffect)
   ASSERT_FALSE (result.inliers.empty());
   EXPECT_LT (result.inliers[0].indices.size(), wall * 3 / 4);
   segmentation.setDistanceThreshold (0.009);
-  segmentation.setMaximumCurvature (0.);
+  segmentation.setMaximumPointCurvature (0.);
   segment (segmentation, result);
   EXPECT_TRUE (result.models.empty()) << "noise bends everything";
 }
@@ -371,12 +371,16 @@ TEST (PlaneInputs, SharesAndCurvaturesThatMakeNoSenseAreRefused)
   for (const double wrong : {-0.1, std::numeric_limits<double>::quiet_NaN()}) {
     segmentation.setMinimumNearNormals (wrong);
     segmentation.setMaximumCurvature (wrong);
+    segmentation.setMaximumPointCurvature (wrong);
   }
   segmentation.setMinimumNearNormals (1.1);
   EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
-  EXPECT_EQ (segmentation.getMaximumCurvature(), 0.08);
+  EXPECT_EQ (segmentation.getMaximumCurvature(), 1.);
+  EXPECT_EQ (segmentation.getMaximumPointCurvature(), 0.08);
   segmentation.setMinimumNearNormals (1.);
   EXPECT_EQ (segmentation.getMinimumNearNormals(), 1.);
   segmentation.setMaximumCurvature (std::numeric_limits<double>::infinity());
   EXPECT_TRUE (std::isinf (segmentation.getMaximumCurvature()));
+  segmentation.setMaximumPointCurvature (std::numeric_limits<double>::infinity());
+  EXPECT_TRUE (std::isinf (segmentation.getMaximumPointCurvature()));
 }

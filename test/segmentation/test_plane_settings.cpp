@@ -17,7 +17,8 @@ TEST (PlaneSettings, Defaults)
   EXPECT_EQ (segmentation.getMinInliers(), 1000u);
   EXPECT_EQ (segmentation.getAngularThreshold(), 0.2);
   EXPECT_EQ (segmentation.getDistanceThreshold(), 0.009);
-  EXPECT_EQ (segmentation.getMaximumCurvature(), 0.08);
+  EXPECT_EQ (segmentation.getMaximumCurvature(), 1.);
+  EXPECT_EQ (segmentation.getMaximumPointCurvature(), 0.08);
   EXPECT_EQ (segmentation.getMinimumNearNormals(), 0.75);
   EXPECT_EQ (segmentation.getNormalSpaceGrid(),
              pcl::rgbd_planes::NormalSpaceGrid::voxels);
@@ -51,6 +52,34 @@ TEST (PlaneSettings, CellsWithFewPointsStartNoCluster)
     segmentation.setMinimumCellShare (wrong);
     EXPECT_EQ (segmentation.getMinimumCellShare(), 0.02);
   }
+}
+
+/** A wall 3 m away, whose points spread by 2 cm, and a board 1.5 m away: the curvature of a region
+ * is what counts, as in PCL's class. */
+TEST (PlaneSettings, PlanesWithALargerCurvatureAreDropped)
+{
+  const Scene scene = render (
+      {tiltedPlane (3.f, 0.f, 0.f), board (100, 220, 60, 180)}, 320, 240, kinectSigma);
+  Ours segmentation;
+  Ours::Regions all, some;
+  segmentation.setMinInliers (500);
+  segmentation.setInputCloud (scene.cloud);
+  segmentation.setInputNormals (estimateNormals (scene.cloud));
+  segmentation.segment (all);
+  ASSERT_EQ (all.size(), 2u);
+  const std::size_t curved = segmentation.getRejections().curved;
+  const float least = std::min (all[0].getCurvature(), all[1].getCurvature());
+  const float most = std::max (all[0].getCurvature(), all[1].getCurvature());
+  ASSERT_GT (least, 0.f);
+  ASSERT_LT (1.1f * least, most);
+  segmentation.setMaximumCurvature (0.5f * (least + most));
+  segmentation.segment (some);
+  ASSERT_EQ (some.size(), 1u);
+  EXPECT_EQ (some[0].getCurvature(), least);
+  EXPECT_EQ (segmentation.getRejections().curved, curved + 1);
+  segmentation.setMaximumCurvature (0.5 * least);
+  segmentation.segment (some);
+  EXPECT_TRUE (some.empty());
 }
 
 TEST (PlaneSettings, DepthNoiseSaysHowFarPointsSpread)

@@ -61,6 +61,8 @@ planeAdditionNames ();
 struct PlaneMethodOptions {
   /** Ours once more with cells of spherical coordinates, "spherical_grid". */
   bool spherical_grid = false;
+  /** Ours once more with the settings of "pcl_omps", "kept_settings". */
+  bool kept_settings = false;
   /** Lists of PlaneAdditions, "NAME,..." or "all": for each, ours once more without these, "no_"
    * and the list. */
   std::vector<std::string> without;

@@ -156,9 +156,11 @@ public:
     return parameters_.distanceThreshold();
   }
 
-  /** \brief Points with a larger curvature start no cluster, but may still join a plane; the
-   * normals of those with more than half of it do not count. 0 or more (others: an error
-   * message), default 0.08. */
+  /** \brief Planes with a larger curvature are dropped, as in OrganizedMultiPlaneSegmentation:
+   * the smallest eigenvalue of the covariance of their points by its trace, which is at most 1 / 3.
+   * It grows with noise, and so with range, and is larger for small planes: 0.001, the default of
+   * PCL's class, drops most planes beyond 3 m. 0 or more (others: an error message), default 1,
+   * which drops none. */
   void
   setMaximumCurvature (double maximum_curvature)
   {
@@ -171,6 +173,23 @@ public:
   getMaximumCurvature () const
   {
     return parameters_.maximum_curvature;
+  }
+
+  /** \brief Points whose normals come with a larger curvature start no cluster, but may still join
+   * a plane; the normals of those with more than half of it do not count. 0 or more (others: an
+   * error message), default 0.08, which suits IntegralImageTangentNormalEstimation. */
+  void
+  setMaximumPointCurvature (double maximum_curvature)
+  {
+    rgbd_planes::setParameter (getClassName() + "::setMaximumPointCurvature",
+                               maximum_curvature,
+                               parameters_.max_point_curvature);
+  }
+
+  double
+  getMaximumPointCurvature () const
+  {
+    return parameters_.max_point_curvature;
   }
 
   /** \brief Planes are dropped as parts of uneven surfaces, such as clothes, where a smaller

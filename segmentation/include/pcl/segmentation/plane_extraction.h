@@ -39,9 +39,11 @@ struct PlaneExtractionParameters {
    * 1 m, in metres; elsewhere the same number of standard deviations of depth. 0: see
    * distanceThreshold. */
   double distance_threshold = 0.;
+  /** Planes whose points have a larger PlaneMoments::curvature are dropped. */
+  double maximum_curvature = 1.;
   /** Points with a larger curvature start no cluster; with more than half of it, they may
    * join a plane whatever their normal. */
-  double maximum_curvature = 0.08;
+  double max_point_curvature = 0.08;
   /** Planes with a smaller share of normals near their own are dropped where their points are
    * far off. */
   double min_near_normals = 0.75;
@@ -69,7 +71,8 @@ struct PlaneRejections {
   /** The plane had too few points, or points in a line, which determine none. */
   std::size_t too_few_points = 0;
   /** The normals turn with the place, on the candidate or around it, or too many of them
-   * differ from that of the plane: a part of a curved or uneven surface. */
+   * differ from that of the plane: a part of a curved or uneven surface. Or the curvature of its
+   * points is above that of setMaximumCurvature. */
   std::size_t curved = 0;
   /** Planes that were found before had taken the points. */
   std::size_t claimed_by_larger = 0;

@@ -37,7 +37,7 @@ public:
    * \param[in] normals one for each point
    * \param[in] selected not 0 for the points to look at; empty for all
    * \param[in] noise standard deviation of depth; points beyond its range are left out
-   * \param[in] maximum_curvature points with a larger curvature start no cluster; normals
+   * \param[in] max_curvature points with a larger curvature start no cluster; normals
    * with more than half of it are not trusted
    */
   void
@@ -45,7 +45,7 @@ public:
            const OrganizedNormals& normals,
            const std::vector<std::uint8_t>& selected,
            const DepthNoise& noise,
-           float maximum_curvature);
+           float max_curvature);
 
   /** \brief The number of points, with those that fill up tiles. */
   std::size_t
