@@ -8,11 +8,11 @@ namespace rgbd_planes {
 
 template <int Bytes>
 void
-eigenAlignsTo ()
+compilePclAndThisWithTheSameMarch ()
 {}
 
 template PCL_RGBD_PLANES_EXPORTS void
-eigenAlignsTo<EIGEN_MAX_ALIGN_BYTES>();
+compilePclAndThisWithTheSameMarch<EIGEN_MAX_ALIGN_BYTES>();
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -18,8 +18,8 @@ faultOfImage (std::size_t size, std::uint32_t width, std::uint32_t height)
   return "The input cloud has " + std::to_string (size) + " points, width " +
          std::to_string (width) + " and height " + std::to_string (height) +
          ", but must be organized (an image of points): ask your camera driver for "
-         "ordered point clouds, and keep NaN points, for filters that remove points "
-         "also remove the organization.";
+         "ordered point clouds, and keep NaN points, as filters do after "
+         "setKeepOrganized (true), for without them there is no image.";
 }
 
 std::string

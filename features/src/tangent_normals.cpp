@@ -36,15 +36,14 @@ makeGrid (const OrganizedPoints& points, const TangentNormalParameters& paramete
   grid.step = longer_side >= min_side_of_cells ? 2 : 1;
   grid.width = (points.width + grid.step - 1) / grid.step;
   grid.height = (points.height + grid.step - 1) / grid.step;
-  // To the nearest number of cells on either side: less than a whole one would be lost.
   const float side_of_cells = 2.f * static_cast<float> (grid.step);
   const float automatic =
-      std::max (side_of_cells * std::round (static_cast<float> (longer_side) * 3.f /
-                                            (160.f * side_of_cells)),
-                4.f);
+      std::max (static_cast<float> (longer_side) * 3.f / 160.f, 4.f);
   const auto half = [&] (float size, float growth, int limit) {
-    const float cells = (size == 0.f ? automatic : size) * growth / side_of_cells;
-    return static_cast<int> (std::clamp (cells, 1.f, static_cast<float> (limit)));
+    // To the nearest number of cells on either side: less than a whole one would be lost.
+    const float cells = std::round ((size == 0.f ? automatic : size) / side_of_cells);
+    return static_cast<int> (
+        std::clamp (growth * cells, 1.f, static_cast<float> (limit)));
   };
   const bool several =
       parameters.depth_dependent_smoothing || parameters.scale_selection;

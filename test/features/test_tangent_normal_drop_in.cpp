@@ -5,7 +5,9 @@
 
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/features/normal_3d_omp.h>
 #include <pcl/features/two_run_normal.h>
+#include <pcl/search/organized.h>
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 
 #include <gtest/gtest.h>
@@ -129,6 +131,36 @@ TEST (TangentNormalDropIn, SamePipelineWithTheTypeNameSwapped)
   EXPECT_LT (their_normals.second, measured);
   EXPECT_EQ (surfacesFound (ours.planes), surfaces().size());
   EXPECT_GE (surfacesFound (ours.planes), surfacesFound (theirs.planes));
+}
+
+/** As users of NormalEstimationOMP write it, with the search and the helpers of its header. */
+template <typename NormalEstimation>
+Normals
+estimateWithThreads (const Cloud::ConstPtr& cloud)
+{
+  NormalEstimation ne (2);
+  ne.setNumberOfThreads (2);
+  ne.setSearchMethod (
+      pcl::make_shared<pcl::search::OrganizedNeighbor<pcl::PointXYZ>>());
+  ne.setRadiusSearch (0.05);
+  ne.setInputCloud (cloud);
+  Normals normals;
+  ne.compute (normals);
+  float nx = 0.f, ny = 0.f, nz = 1.f;
+  pcl::flipNormalTowardsViewpoint (cloud->front(), 0.f, 0.f, 0.f, nx, ny, nz);
+  EXPECT_EQ (nz, -1.f);
+  return normals;
+}
+
+TEST (TangentNormalDropIn, ThePipelineOfNormalEstimationOMPWithTheTypeNameSwapped)
+{
+  const auto scene = synthetic::render (
+      surfaces(), 160, 120, [] (float z) { return 0.0005f + 0.001f * z * z; });
+  using OMP = pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal>;
+  const auto theirs = compareWithTruth (scene, estimateWithThreads<OMP> (scene.cloud));
+  const auto ours = compareWithTruth (scene, estimateWithThreads<Ours> (scene.cloud));
+  EXPECT_LT (ours.first, theirs.first);
+  EXPECT_GE (ours.second, theirs.second);
 }
 
 template <typename PointInT, typename PointOutT>

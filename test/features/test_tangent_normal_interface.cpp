@@ -63,6 +63,19 @@ TEST (TangentNormalInterface, UnorganizedCloudsGiveOneErrorThatNamesTheCure)
       << error;
 }
 
+TEST (TangentNormalInterface, SearchSurfacesOfUnorganizedCloudsAreExplained)
+{
+  Estimation estimation;
+  estimation.setInputCloud (pcl::make_shared<Cloud> (100, 1));
+  estimation.setSearchSurface (pcl::make_shared<Cloud> (10, 10));
+  Normals normals;
+  ::testing::internal::CaptureStderr();
+  estimation.compute (normals);
+  const std::string error = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1) << error;
+  EXPECT_NE (error.find ("setIndices takes the points"), std::string::npos) << error;
+}
+
 TEST (TangentNormalInterface, RefusedNumbersSayWhatStays)
 {
   Estimation estimation;
@@ -154,6 +167,8 @@ TEST (TangentNormalInterface,
   for (const auto& [width, size] : {std::pair (1024, 20.f),
                                     {960, 20.f},
                                     {848, 16.f},
+                                    {640, 10.f}, // of PCL's tutorials
+                                    {640, 13.9f},
                                     {480, 8.f},
                                     {424, 8.f},
                                     {320, 6.f},

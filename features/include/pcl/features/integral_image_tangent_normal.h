@@ -102,9 +102,11 @@ public:
     SIMPLE_3D_GRADIENT
   };
 
-  IntegralImageTangentNormalEstimation()
+  /** \param[in] nr_threads as for setNumberOfThreads, and as pcl::NormalEstimationOMP has it */
+  explicit IntegralImageTangentNormalEstimation (unsigned int nr_threads = 1)
   {
     feature_name_ = "IntegralImageTangentNormalEstimation";
+    setNumberOfThreads (nr_threads);
   }
 
   /** \brief Declared so that moving copies: what was moved from can be used on. */
@@ -119,8 +121,8 @@ public:
   /** \brief Width and height of the smoothing area in pixels. Where the area grows with
    * range, this is its size at 1 m. Default: 3/160 of the longer side of the image, at
    * least 4: less than for PCL's class, because planes are averaged afterwards. Areas reach
-   * a whole number of cells to each side: sizes from 8 up to 12 are the same in large images. The
-   * default is the nearest whole number. Areas of more than 200 pixels round tangents, which turns
+   * the nearest whole number of cells to each side: sizes from 10 up to 14 are the same in large
+   * images. Areas of more than 200 pixels round tangents, which turns
    * normals: doc/limits.md says by how much.
    * \param[in] normal_smoothing_size more than 0; other values are refused with an
    * error

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <pcl/features/feature.h>
+// Programs have computePointNormal and flipNormalTowardsViewpoint from PCL's headers of normals.
+#include <pcl/features/normal_3d.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/point_types.h>
 

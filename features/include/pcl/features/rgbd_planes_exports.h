@@ -21,11 +21,11 @@ namespace rgbd_planes {
  * AVX, would crash: they need this function, and do not link. */
 template <int Bytes>
 PCL_RGBD_PLANES_EXPORTS void
-eigenAlignsTo ();
+compilePclAndThisWithTheSameMarch ();
 
 namespace {
 __attribute__ ((used)) void (*const eigen_aligns_alike)() =
-    &eigenAlignsTo<EIGEN_MAX_ALIGN_BYTES>;
+    &compilePclAndThisWithTheSameMarch<EIGEN_MAX_ALIGN_BYTES>;
 }
 
 } // namespace rgbd_planes

@@ -60,7 +60,11 @@ template <typename PointInT, typename PointOutT>
 std::string
 IntegralImageTangentNormalEstimation<PointInT, PointOutT>::complaint() const
 {
-  return rgbd_planes::faultOfImage (*input_);
+  const std::string fault = rgbd_planes::faultOfImage (*input_);
+  if (fault.empty() || !this->surface_)
+    return fault;
+  return fault + " Search surfaces have no effect: the whole cloud is the input, and "
+                 "setIndices takes the points whose normals are wanted.";
 }
 
 template <typename PointInT, typename PointOutT>

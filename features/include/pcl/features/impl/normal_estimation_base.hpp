@@ -5,7 +5,6 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/features/normal_3d.h>
 #include <pcl/features/normal_estimation_base.h>
 #include <pcl/type_traits.h>
 
