@@ -12,7 +12,7 @@ namespace rgbd_planes {
 
 namespace {
 
-/** A level that lies lower by so many metres (and standard deviations of depth, as below), and has
+/** A level that lies lower by so many metres (and standard deviations of height, as below), and has
  * this part of the points of the one above it, is not a part of that. */
 constexpr float min_step_m = 0.01f;
 constexpr std::size_t part_of_points = 10;
@@ -70,7 +70,8 @@ FloorPlane::find (const OrganizedPoints& points,
         point.weight *
         heightOnRay (planes.coefficients[point.plane], height, point.point) / sigma;
     samples.weight += point.weight;
-    samples.sigma += point.weight * sigma;
+    samples.height_sigma +=
+        point.weight * std::sqrt (heightVariance (point.point, height[3], noise));
     ++samples.points;
   }
 
@@ -115,7 +116,7 @@ FloorPlane::lowerLevel (std::size_t floor, float max_height) const
     const Samples &upper = samples_[floor], &lower = samples_[k];
     const float step = upper.height / upper.weight - lower.height / lower.weight;
     const float min_step =
-        std::max (min_step_m, large_part_sigmas * lower.sigma / lower.weight);
+        std::max (min_step_m, large_part_sigmas * lower.height_sigma / lower.weight);
     const float nearer = std::max (min_step_m, min_nearer * max_height);
     if (step > min_step && lower.off_zero + nearer < upper.off_zero &&
         part_of_points * lower.points >= upper.points)

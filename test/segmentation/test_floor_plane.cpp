@@ -201,6 +201,26 @@ TEST (FloorPlane, AStepBeforeTheRobotIsNoFloor)
   }
 }
 
+TEST (FloorPlane, ARampBeforeTheRobotIsNoFloor)
+{
+  for (const float degrees : {4.f, 5.f, 6.f, 8.f})
+    for (const float toe : {0.75f, 0.8f, 0.9f, 1.f}) {
+      const float angle = degrees * static_cast<float> (M_PI) / 180.f;
+      const Patch ramp{{-std::sin (angle), 0.f, std::cos (angle)},
+                       {toe, 0.f, 0.f},
+                       [toe] (const Eigen::Vector3f& p) {
+                         return p.x() >= toe && p.x() < toe + 2.f &&
+                                std::abs (p.y()) < 0.8f;
+                       }};
+      Patch floor = floorAt (0.f);
+      floor.covers = [ramp] (const Eigen::Vector3f& p) { return !ramp.covers (p); };
+      const FloorScene scene ({floor, ramp}, cameraPose (1.f, 0.49f), 320, kinectSigma);
+      const Result result = detect (scene);
+      EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.99)
+          << degrees << ' ' << toe;
+    }
+}
+
 TEST (FloorPlane, APointAtTheSensorDoesNotChooseTheFloor)
 {
   FloorScene scene (only_floor, pose, 320);

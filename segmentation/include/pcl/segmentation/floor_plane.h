@@ -151,8 +151,9 @@ private:
     std::size_t off = 0; // above or below the floor
     // Sums of weights, and of weighted heights in the base frame.
     float weight = 0.f, height = 0.f;
-    // The same of how far the plane is above z = 0, in standard deviations of depth, and of these.
-    float sigmas_in_base = 0.f, sigma = 0.f;
+    // The same of how far the plane is above z = 0, in standard deviations of depth, and of those
+    // of heights.
+    float sigmas_in_base = 0.f, height_sigma = 0.f;
     // How far the plane is from z = 0; infinite where it cannot be the floor.
     float off_zero = std::numeric_limits<float>::infinity();
     // Weighted sums of how far the plane is above the floor, in metres, then the level, and

@@ -147,7 +147,7 @@ public:
 
   /** \brief The height of the lowest obstacles that are told by their height, metres, 0 or
    * more (others: an error message), default 0.01; where that is less than three standard
-   * deviations of the height of points, lower ones may be missed. Tops lower than half of it
+   * deviations of depth, lower ones may be missed. Tops lower than half of it
    * are floor. Points with another normal than the floor, and those above it of planes tilted
    * against it, are obstacles however low they are, for they may be the foot of something
    * whose top is hidden or out of view: the sides of low things stay obstacles. */

@@ -21,7 +21,7 @@ namespace rgbd_planes {
 struct ObstaclePointParameters {
   DepthNoise noise = DepthNoise::kinectV1();
   /** Of the lowest obstacles that are told by their height, metres; those lower than three
-   * standard deviations of the height of a point may be missed. */
+   * standard deviations of depth may be missed. */
   float min_height = 0.01f;
   /** Of the lowest drop-offs, metres. */
   float min_drop = 0.03f;
