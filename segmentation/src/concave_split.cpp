@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include "cut_kernels.h"
+#include "plane_levels.h"
 #include <hwy/cache_control.h>
 
 #include <pcl/segmentation/concave_split.h>
@@ -220,10 +221,26 @@ ConcaveSplit::settle (const OrganizedPoints& points,
     };
     if (!isFew (0))
       continue;
-    // Tops of equal height are one plane, of several parts.
-    for (std::size_t c = 0; c < parts_.size(); ++c)
-      if (isFew (c + 1) && liesAbove (points, parts_[c].runs, supports[k], parameters_))
-        parts_[c].support = k;
+    // Tops of equal height are one plane, of several parts. What stands between them is on none.
+    for (std::uint32_t part = 1; part <= parts_.size(); ++part) {
+      if (isFew (part))
+        continue;
+      on_top_.clear();
+      for (const auto index : inliers) {
+        const auto i = static_cast<std::uint32_t> (index);
+        if (partAt (image_.placeOf (i)) == part)
+          on_top_.push_back (supports[k].project (points[i]));
+      }
+      top_.compute (on_top_, parameters_.hull_tolerance);
+      const auto isOverTop = [&] (const float* p) {
+        return top_.contains (supports[k].project (p));
+      };
+      for (std::size_t c = 0; c < parts_.size(); ++c)
+        if (isFew (c + 1) &&
+            liesAbove (points, parts_[c].runs, supports[k], parameters_) &&
+            shareOf (points, parts_[c].runs, isOverTop).isAtLeast (few))
+          parts_[c].support = k;
+    }
   }
 }
 

@@ -23,8 +23,14 @@ constexpr float max_distortion = 1.2f;
 /** Of the pixels of a camera, a smaller part has no depth between two that have. */
 constexpr double most_gaps = 0.02;
 
-/** In lines of a margin, a smaller part of the pixels has depth, of those that are looked at. */
+/** Images of cameras have ragged margins with little depth; each is at most this part of the
+ * image. */
+constexpr int part_of_ragged = 20;
+
+/** In lines without depth, a smaller part of the pixels has depth, of those that are looked at. */
 constexpr int part_measured = 50, pixels_apart = 4;
+/** So many rows tell whether such columns are a band. */
+constexpr int band_rows = 40;
 
 /** The points of some rows or columns of an image. */
 struct Lines {
@@ -88,19 +94,39 @@ meanAngle (const Lines& lines)
   return pixels ? angles / static_cast<float> (pixels) : 0.f;
 }
 
-/** How many lines from \a first on, each \a step from the one before, are of a margin. */
+/** How many lines at a border may be ragged. */
 std::uint32_t
-marginFrom (int first, int step, const Lines& lines)
+raggedMargin (const Lines& lines)
 {
-  std::uint32_t margin = 0;
-  for (int line = first; line >= 0 && line < lines.number; line += step, ++margin) {
+  return static_cast<std::uint32_t> (lines.number / part_of_ragged + 1);
+}
+
+/** How many columns from \a first on, each \a step from the one before, are of a band without
+ * depth. Where the scene ends, rows end in different columns; those of a band end beside it. */
+std::uint32_t
+bandFrom (int first, int step, const Lines& columns)
+{
+  const auto isInside = [&] (int column) {
+    return column >= 0 && column < columns.number;
+  };
+  int end = first;
+  for (; isInside (end); end += step) {
     int measured = 0;
-    for (int k = 0; k < lines.length; k += pixels_apart)
-      measured += isMeasured (lines.point (line, k));
-    if (part_measured * pixels_apart * measured > lines.length)
+    for (int k = 0; k < columns.length; k += pixels_apart)
+      measured += isMeasured (columns.point (end, k));
+    if (part_measured * pixels_apart * measured > columns.length)
       break;
   }
-  return margin;
+  const auto ragged = static_cast<int> (raggedMargin (columns));
+  int rows = 0, beside = 0;
+  for (int k = 0; k < columns.length; k += std::max (columns.length / band_rows, 1)) {
+    int column = end;
+    while (isInside (column) && !isMeasured (columns.point (column, k)))
+      column += step;
+    rows += isInside (column);
+    beside += isInside (column) && step * (column - end) < ragged;
+  }
+  return 2 * beside > rows ? static_cast<std::uint32_t> (step * (end - first)) : 0;
 }
 
 } // namespace
@@ -109,10 +135,11 @@ ImageMargins
 marginsOf (const OrganizedPoints& points)
 {
   const Lines rows = rowsOf (points), columns = columnsOf (points);
-  return {marginFrom (0, 1, columns),
-          marginFrom (columns.number - 1, -1, columns),
-          marginFrom (0, 1, rows),
-          marginFrom (rows.number - 1, -1, rows)};
+  const std::uint32_t ragged = raggedMargin (columns);
+  return {bandFrom (0, 1, columns) + ragged,
+          bandFrom (columns.number - 1, -1, columns) + ragged,
+          raggedMargin (rows),
+          raggedMargin (rows)};
 }
 
 float

@@ -11,12 +11,8 @@ namespace rgbd_planes {
 
 // What a few rows and columns of an image tell of the sensor that took it.
 
-/** \brief Images of cameras have ragged margins with little depth; each is at most this part of
- * the image. */
-constexpr int part_of_margin = 20;
-
-/** \brief The rows and columns at the borders of an image in which next to nothing is measured, as
- * what only one of two cameras sees. */
+/** \brief A twentieth of the image at each border, which may be ragged, and at the left and right
+ * one bands in which next to nothing is measured, as what only one of two cameras sees. */
 ImageMargins
 marginsOf (const OrganizedPoints& points);
 

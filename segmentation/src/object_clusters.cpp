@@ -39,23 +39,11 @@ ObjectClusters::compute (const OrganizedPoints& points,
   if (!supports.planes().empty()) {
     markBackground();
     pixel_angle_ = meanPixelAngle (points);
-    findMargins();
+    margins_ = marginsOf (points);
     findRuns (selected);
     sumUp();
   }
   collect();
-}
-
-/** Those without depth, and as much beside them as is ragged. */
-void
-ObjectClusters::findMargins()
-{
-  margins_ = marginsOf (points_);
-  const auto height = static_cast<std::uint32_t> (points_.height);
-  margins_.left += width_ / part_of_margin + 1;
-  margins_.right += width_ / part_of_margin + 1;
-  margins_.above += height / part_of_margin + 1;
-  margins_.below += height / part_of_margin + 1;
 }
 
 void

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -20,31 +21,61 @@ namespace {
 /** A plane is of the background if so much of it is on no supporting one, nor above. */
 constexpr double background_share = 0.2;
 /** It is also if it goes on from one side of the image to the other: a wall of which too little is
- * seen. That shows in so many points, and in so many parts of the image, of which those next to the
- * border may have no points. Between things in a row there are gaps. */
+ * seen. That shows in so many points, and in so many parts of the image, of which those of margins
+ * may have no points. Between things in a row there are gaps. */
 constexpr std::size_t across_sample = 4000;
-constexpr int parts_across = 60, margin = parts_across / part_of_margin;
+constexpr std::uint32_t parts_across = 60;
+using PartsAcross = std::bitset<parts_across>;
+
+/** The parts within the margins of an image of that size, \a first and \a last. */
+PartsAcross
+partsOfMargins (std::uint32_t first, std::uint32_t last, std::uint32_t size)
+{
+  PartsAcross parts;
+  for (std::uint32_t i = 0; i < parts_across; ++i)
+    parts[i] = (i + 1) * size <= first * parts_across ||
+               (parts_across - i) * size <= last * parts_across;
+  return parts;
+}
 
 /** Whether a plane goes on from one side of the image to the other. */
 bool
-goesAcross (const OrganizedPoints& points, const pcl::Indices& inliers)
+goesAcross (const OrganizedPoints& points,
+            const ImageMargins& margins,
+            const pcl::Indices& inliers)
 {
   if (inliers.size() < points.size() / parts_across)
     return false;
-  std::bitset<parts_across> columns, rows;
-  for (int i = 0; i < margin; ++i)
-    for (auto* parts : {&columns, &rows}) {
-      parts->set (static_cast<std::size_t> (i));
-      parts->set (static_cast<std::size_t> (parts_across - 1 - i));
-    }
   const auto width = static_cast<std::uint32_t> (points.width),
              height = static_cast<std::uint32_t> (points.height);
+  PartsAcross columns = partsOfMargins (margins.left, margins.right, width),
+              rows = partsOfMargins (margins.above, margins.below, height);
   sampleIndices (inliers, across_sample, [&] (std::size_t index) {
     const auto i = static_cast<std::uint32_t> (index);
     columns.set (i % width * parts_across / width);
     rows.set (i / width * parts_across / height);
   });
   return columns.all() || rows.all();
+}
+
+/** Whether it is the front of a table: what supports is behind it, and it is no higher than things
+ * that stand there. Its front may be in one plane with theirs. */
+bool
+isFrontOf (const SupportPlane& support,
+           const OrganizedPoints& points,
+           const SegmentedPlane& plane,
+           float max_object_height)
+{
+  const auto& corners = support.outline.corners();
+  const Eigen::Vector2f sum =
+      std::accumulate (corners.begin(), corners.end(), Eigen::Vector2f (0.f, 0.f));
+  const Eigen::Vector3f center =
+      support.unproject (sum / static_cast<float> (corners.size()));
+  return plane.plane.distance (center.data()) < 0.f && // normals face the sensor
+         shareOf (points, *plane.inliers, [&] (const float* p) {
+           return support.plane.distance (p) <= max_object_height &&
+                  support.surroundings.contains (support.project (p));
+         }).isAtLeast (nearly_all);
 }
 
 } // namespace
@@ -55,10 +86,18 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
                                const ObjectParameters& parameters)
 {
   background_.clear();
+  const ImageMargins margins = marginsOf (points);
   const auto supports = [&] (const SegmentedPlane& plane) {
     return std::any_of (
         supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
           return &planes[support.index] == &plane && !support.is_on_object;
+        });
+  };
+  const auto isFront = [&] (const SegmentedPlane& plane) {
+    return std::any_of (
+        supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+          return !support.is_on_object &&
+                 isFrontOf (support, points, plane, parameters.max_object_height);
         });
   };
   for (const auto& plane : planes) {
@@ -70,9 +109,11 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
             });
       });
     };
-    if (!isAtOneOf (Reach::surroundings).isAtLeast (1. - background_share) ||
+    const bool is_background =
+        !isAtOneOf (Reach::surroundings).isAtLeast (1. - background_share) ||
         !isAtOneOf (Reach::outline).isAtLeast (over_hull_share) ||
-        (!supports (plane) && goesAcross (points, *plane.inliers)))
+        (!supports (plane) && goesAcross (points, margins, *plane.inliers));
+    if (is_background && !isFront (plane))
       background_.push_back (plane);
   }
 }

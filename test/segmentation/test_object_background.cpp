@@ -158,20 +158,48 @@ TEST (ObjectBackground, ThingsAtAWallAreObjects)
                       {3, 4, 5});
 }
 
-/** The image ends less than 30 cm above the table. */
+/** The front of the table, in one plane with theirs, is no wall behind them. */
+TEST (ObjectBackground, ThingsAtTheNearEdgeOfATableAreObjects)
+{
+  const Vector3f size (0.07f, 0.1f, 0.1f);
+  const Box chest{{1.2f, 0.f, 0.3f}, {0.8f, 1.f, 0.4f}};
+  for (const Box& with_front : {table, chest})
+    for (const float noise : {0.f, 0.5f, 1.f})
+      for (const float inset : {0.f, 0.005f}) {
+        const float x = 0.8f + inset + 0.5f * size.x();
+        View view = look (
+            {floor_slab, with_front, onTable (x, 0.2f, size), onTable (x, -0.2f, size)},
+            {},
+            noise);
+        joinFaces (view);
+        SCOPED_TRACE (inset);
+        expectBoxes (view, {2, 3}, noise);
+      }
+}
+
+/** The image ends less than 30 cm above the table. At its left there may be a band without depth,
+ * as in images of stereo cameras. */
 TEST (ObjectBackground, ThingsAtAWallOfWhichLittleIsSeenAreObjects)
 {
   const Camera looks_down{1.3f, 0.7f};
   const Box wide_table{{0.9f, 0.f, 0.66f}, {0.8f, 4.f, 0.04f}};
   const Box wall{{1.35f, 0.f, 0.f}, {0.1f, 4.f, 2.f}};
   const Vector3f size (0.1f, 0.1f, 0.1f);
-  expectBoxesInNoise ({floor_slab,
-                       wide_table,
-                       wall,
-                       onTable (1.25f, 0.2f, size),
-                       onTable (1.25f, -0.2f, size)},
-                      looks_down,
-                      {3, 4});
+  for (const float noise : {0.f, 0.5f, 1.f})
+    for (const std::uint32_t band : {0, 30, 60, 90}) {
+      View view = look ({floor_slab,
+                         wide_table,
+                         wall,
+                         onTable (1.25f, 0.2f, size),
+                         onTable (1.25f, -0.2f, size)},
+                        looks_down,
+                        noise);
+      for (std::uint32_t v = 0; v < view.cloud->height; ++v)
+        for (std::uint32_t u = 0; u < band; ++u)
+          view.cloud->at (u, v).x = std::numeric_limits<float>::quiet_NaN();
+      SCOPED_TRACE (band);
+      expectBoxes (view, {3, 4}, noise);
+    }
 }
 
 /** Faces in one plane are one, from one side of the image to the other, with gaps. */
@@ -327,6 +355,20 @@ TEST (ObjectBackground, WhatTheImageCutsIsTruncatedAndNotGraspable)
     EXPECT_TRUE (isTruncated (side * 0.65f, 30));
     EXPECT_FALSE (isTruncated (side * 0.4f, 30));
   }
+}
+
+/** Nothing is measured but the table and these, as in a hall. */
+TEST (ObjectBackground, WhatStandsBeforeNoBackgroundIsNotTruncated)
+{
+  for (const float height : {0.05f, 0.12f, 0.25f})
+    for (const float x : {0.9f, 1.2f, 1.5f})
+      for (const float y : {-0.3f, 0.f, 0.3f}) {
+        const View view = look ({table, onTable (x, y, {0.08f, 0.08f, height})});
+        const Objects objects = extract (view);
+        ASSERT_EQ (objects.size(), 1u) << height << ' ' << x << ' ' << y;
+        EXPECT_FALSE (objects.front().truncated) << height << ' ' << x << ' ' << y;
+        EXPECT_TRUE (objects.front().graspable) << height << ' ' << x << ' ' << y;
+      }
 }
 
 TEST (ObjectBackground, WallsThatTheImageCutsAreNoObjects)

@@ -300,6 +300,31 @@ TEST (ObjectClusters, FootOfAnObjectOnAnObject)
   }
 }
 
+TEST (ObjectClusters, WhatStandsBetweenTopsThatAreOnePlaneIsOnNone)
+{
+  View view = look ({floor_slab,
+                     table,
+                     onTable (1.1f, 0.2f, {0.15f, 0.15f, 0.02f}),
+                     onTable (1.1f, -0.2f, {0.15f, 0.15f, 0.02f}),
+                     onTable (1.1f, 0.f, {0.06f, 0.06f, 0.2f})});
+  const std::size_t tops = view.top.at (2), other_top = view.top.at (3);
+  auto& inliers = view.inliers[tops].indices;
+  auto& others = view.inliers[other_top].indices;
+  inliers.insert (inliers.end(), others.begin(), others.end());
+  std::sort (inliers.begin(), inliers.end());
+  others.clear();
+
+  Extraction extraction;
+  extraction.setSplitAtConcaveEdges (true);
+  const Objects objects = extract (extraction, view);
+  ASSERT_EQ (objects.size(), 3u);
+  for (const auto& object : objects) {
+    EXPECT_EQ (object.support, view.top.at (1));
+    EXPECT_NEAR (
+        object.box_size.z(), iou (object, view, 4) > 0.5 ? 0.2f : 0.02f, 0.005f);
+  }
+}
+
 TEST (ObjectClusters, ObjectOnTopsThatAreOnePlane)
 {
   View view = look ({floor_slab,

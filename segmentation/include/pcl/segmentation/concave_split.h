@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <pcl/segmentation/convex_outline.h>
 #include <pcl/segmentation/object_clusters.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstdint>
@@ -171,6 +174,8 @@ private:
   std::vector<std::uint32_t> queue_;
   std::vector<ObjectCluster> parts_;
   std::vector<std::size_t> plane_points_; // of a plane in each part
+  std::vector<Eigen::Vector2f> on_top_;   // its points on one of them
+  ConvexOutline top_;
 };
 
 } // namespace rgbd_planes

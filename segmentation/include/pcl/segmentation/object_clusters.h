@@ -150,9 +150,6 @@ private:
                 const SupportPlane& lower) const;
 
   void
-  findMargins ();
-
-  void
   settleRow (std::uint32_t first, const std::vector<std::uint8_t>& selected);
 
   Place
