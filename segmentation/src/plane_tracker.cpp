@@ -14,9 +14,12 @@ namespace {
 /** From frame to frame; radians and metres. */
 constexpr float max_turn = 0.5f, max_shift = 1.f;
 /** Pixels count half where the distance has changed by this, or by so many times what it has
- * changed by for the quarter of them that changed least: they tell whether the camera moves. */
+ * changed by for the quarter of those along the same axis that changed least: they tell whether the
+ * camera moves along it. */
 constexpr float half_shift = 0.03f, half_ratio = 40.f;
 constexpr float part_of_least = 0.25f;
+/** Of planes that face along one axis: 37 degrees. */
+constexpr float min_cos_along = 0.8f;
 /** Frames for which an unseen plane is remembered. */
 constexpr unsigned max_missed = 15;
 
@@ -130,18 +133,21 @@ PlaneTracker::countOverlaps (const PointCloud<Label>& labels)
   }
 }
 
+/** Of the planes that face as \a plane does, or away from there: the floor does not tell that a
+ * robot comes nearer to a wall. Matches are by their shift. */
 float
-PlaneTracker::leastShift()
+PlaneTracker::leastShift (const Eigen::Vector4f& plane) const
 {
-  std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
-    return a.shift < b.shift;
-  });
+  const auto isAlong = [&] (const Match& match) {
+    return std::fabs (planes_[match.plane].head<3>().dot (plane.head<3>())) >
+           min_cos_along;
+  };
   float pixels = 0.f;
   for (const Match& match : matches_)
-    pixels += match.score;
+    pixels += isAlong (match) ? match.score : 0.f;
   float rest = part_of_least * pixels;
   for (const Match& match : matches_)
-    if ((rest -= match.score) <= 0.f)
+    if (isAlong (match) && (rest -= match.score) <= 0.f)
       return match.shift;
   return 0.f;
 }
@@ -160,9 +166,13 @@ PlaneTracker::match()
         if (match.turn < max_turn && match.shift < max_shift)
           matches_.push_back (match);
       }
-  const float half = std::max (half_shift, half_ratio * leastShift());
+  std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
+    return a.shift < b.shift;
+  });
   for (Match& match : matches_)
-    match.score *= similarity (match.turn, match.shift, half);
+    match.half = std::max (half_shift, half_ratio * leastShift (planes_[match.plane]));
+  for (Match& match : matches_)
+    match.score *= similarity (match.turn, match.shift, match.half);
   std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
     return a.score != b.score   ? a.score > b.score
            : a.track != b.track ? a.track < b.track

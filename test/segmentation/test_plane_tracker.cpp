@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 using namespace tracked_rows;
@@ -60,14 +61,37 @@ TEST (PlaneTracker, TheMoreAPlaneHasChangedTheLessItsPixelsCount)
 TEST (PlaneTracker, DistancesCountLessWhileTheCameraMoves)
 {
   const auto wallAt = [] (float distance) { return plane (0.f, 0.f, -1.f, distance); };
-  for (const float moved : {0.f, 0.05f}) {
+  // Another wall tells whether it does. The floor does not tell that a robot drives.
+  for (const auto& [other, then, id] : {std::tuple (wallAt (4.f), wallAt (4.f), 1u),
+                                        {wallAt (4.f), wallAt (4.05f), 0u},
+                                        {ground, ground, 0u}}) {
     pcl::PlaneTracker tracker;
-    const auto ground_then = plane (0.f, -1.f, 0.f, 1.f + moved);
     EXPECT_EQ (
-        track (tracker, row ({wallAt (2.f), wallAt (2.06f), ground}, "aaaaabbbcccc")),
+        track (tracker, row ({wallAt (2.f), wallAt (2.06f), other}, "aaaaabbbcccc")),
         (Ids{0, 1, 2}));
-    EXPECT_EQ (track (tracker, row ({wallAt (2.07f), ground_then}, "aaaaaaaabbbb")),
-               (Ids{moved > 0.f ? 0u : 1u, 2}));
+    EXPECT_EQ (track (tracker, row ({wallAt (2.07f), then}, "aaaaaaaabbbb")),
+               (Ids{id, 2}));
+  }
+}
+
+/** Two walls 10 cm apart, of which the far one comes into view, 10 cm nearer in each frame. */
+TEST (PlaneTracker, WallsKeepTheirIdentityWhileARobotDrivesTowardsThem)
+{
+  pcl::PlaneTracker tracker;
+  const char* const frames[] = {"aaaabbbbbbbbbbbbcccccccc",
+                                "aaaaabbbbbbbbbbbcccccccc",
+                                "aaaaaabbbbbbbbbbcccccccc",
+                                "aaaaaaabbbbbbbbbcccccccc"};
+  float distance = 3.f;
+  for (const char* frame : frames) {
+    EXPECT_EQ (track (tracker,
+                      row ({plane (0.f, 0.f, -1.f, distance),
+                            plane (0.f, 0.f, -1.f, distance - 0.1f),
+                            ground},
+                           frame)),
+               (Ids{0, 1, 2}))
+        << frame;
+    distance -= 0.1f;
   }
 }
 

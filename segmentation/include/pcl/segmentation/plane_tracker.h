@@ -30,11 +30,12 @@ namespace pcl {
  * cover some of the pixels that they did before, those with parallel ones beside them half. A
  * plane is the one before that covered most of the same pixels, weighted by how little normal
  * and distance have changed; more than 0.5 radians or 1 m is another plane. While the camera
- * stays, so that a quarter of the pixels show planes with the distance they had, 3 cm halve the
- * weight: what stood before a wall that stays, and is taken away, is not the wall. A plane that
- * is not found, or hidden, or taken for a part of another one, is remembered where it was seen
- * last, for 15 frames. When a plane falls into parts, the part with the largest overlap keeps
- * the identity; when planes are joined, the one with the largest overlap does.
+ * stays, so that a quarter of the pixels of planes with such a normal show the distance they
+ * had, 3 cm halve the weight: what stood before a wall that stays, and is taken away, is not the
+ * wall. A plane that is not found, or hidden, or taken for a part of another one, is remembered
+ * where it was seen last, for 15 frames. When a plane falls into parts, the part with the
+ * largest overlap keeps the identity; when planes are joined, the one with the largest overlap
+ * does.
  *
  * Time is linear in the number of pixels (and in the product of the numbers of planes of two
  * frames). Memory is used again. Frames may change their size. A new tracker starts anew: assign
@@ -82,10 +83,11 @@ private:
   };
 
   struct Match {
-    float score;
+    float score; // pixels, then weighted
     std::uint32_t track;
     std::uint32_t plane;
     float turn = 0.f, shift = 0.f;
+    float half = 0.f; // the shift that halves the weight
   };
 
   bool
@@ -106,9 +108,10 @@ private:
   void
   match ();
 
-  /** \brief How far planes have moved that cover the quarter of the pixels that moved least. */
+  /** \brief How far planes have moved that face as \a plane does and cover the quarter of the
+   * pixels of such planes that moved least. */
   float
-  leastShift ();
+  leastShift (const Eigen::Vector4f& plane) const;
 
   std::uint32_t
   addTrack ();
