@@ -102,9 +102,14 @@ DepthWarp::add (const OrganizedPoints& points,
       });
   if (known_ && frames_ == 0 && tells_nothing) // the warp that was set stays
     return true;
+  if (frames_ > 0 && (tells_nothing || isSameView (noise))) {
+    ++frames_;
+    return true;
+  }
   try {
     addEquations (planes, noise, right_angles);
     solve (noise);
+    view_ = cells_;
   }
   catch (...) { // without memory: half of the equations are wrong ones
     clear();
@@ -188,6 +193,27 @@ DepthWarp::areNear (const PlaneVectors& planes, const DepthNoise& noise) const
         return std::abs (errorOf (cell, planes)) <= far_off * sigma;
       });
   return 2 * static_cast<std::size_t> (near) >= cells_.size();
+}
+
+/** Whether most cells are as in the last view that was added. Once more, the same errors of planes
+ * and right angles would seem to be certain. */
+bool
+DepthWarp::isSameView (const DepthNoise& noise) const
+{
+  const auto isBefore = [] (const Cell& a, const Cell& b) {
+    return a.row != b.row ? a.row < b.row : a.column < b.column;
+  };
+  std::size_t same = 0;
+  auto seen = view_.begin();
+  for (const Cell& cell : cells_) {
+    seen = std::lower_bound (seen, view_.end(), cell, isBefore);
+    if (seen == view_.end())
+      break;
+    same += !isBefore (cell, *seen) &&
+            std::abs (cell.inverse_depth - seen->inverse_depth) <=
+                inverseDepthDeviation (cell.inverse_depth, noise);
+  }
+  return 4 * same >= 3 * std::max (cells_.size(), view_.size());
 }
 
 void

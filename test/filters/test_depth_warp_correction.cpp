@@ -70,10 +70,15 @@ TEST (DepthWarpCorrection, RightAnglesTellWhatTiltsAllPlanesAlike)
     const Corner corner (width, linearWarp, Corner::twoWalls (0.f));
     const double before = corner.depthError (*corner.cloud);
     EXPECT_GT (before, 0.01);
+    // The camera comes from the walls.
     const auto errorAfter = [&] (Correction& correction) {
-      for (int frame = 0; frame < 30; ++frame)
-        EXPECT_TRUE (
-            correction.addFrame (corner.cloud, corner.models(), corner.inliers));
+      for (int frame = 0; frame < 30; ++frame) {
+        Planes planes = Corner::twoWalls (0.f);
+        planes[1][3] += 0.05f * static_cast<float> (frame);
+        planes[2][3] += 0.05f * static_cast<float> (frame);
+        const Corner seen (width, linearWarp, planes);
+        EXPECT_TRUE (correction.addFrame (seen.cloud, seen.models(), seen.inliers));
+      }
       return corner.depthError (correctWith (correction, corner.cloud));
     };
     Correction with, without;
@@ -201,6 +206,21 @@ TEST (DepthWarpCorrection, FramesAddWhatTheyTell)
   EXPECT_EQ (both.getNumberOfFrames(), 2u);
   EXPECT_LT (corner.depthError (correctWith (both, corner.cloud)),
              0.5 * std::min (alone[0], alone[1]));
+}
+
+/** What is seen once more tells nothing: the same errors would seem to be certain. */
+TEST (DepthWarpCorrection, FramesOfACameraThatStandsAreOneView)
+{
+  const Corner corner (160, waves), other (160, noWarp);
+  Correction once, often;
+  ASSERT_TRUE (once.addFrame (corner.cloud, corner.models(), corner.inliers));
+  for (int k = 0; k < 20; ++k)
+    ASSERT_TRUE (often.addFrame (corner.cloud, corner.models(), corner.inliers));
+  EXPECT_EQ (often.getNumberOfFrames(), 20u);
+  expectSameBytes (correctWith (often, corner.cloud), correctWith (once, corner.cloud));
+  ASSERT_TRUE (often.addFrame (other.cloud, other.models(), other.inliers));
+  EXPECT_NE (corner.depthError (correctWith (often, corner.cloud)),
+             corner.depthError (correctWith (once, corner.cloud)));
 }
 
 TEST (DepthWarpCorrection, TheWarpMovesToAnotherObject)

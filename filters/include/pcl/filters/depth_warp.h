@@ -33,7 +33,9 @@ public:
   clear ();
 
   /** \brief Adds what the planes of a frame tell; false, and nothing is added, where most points
-   * are nowhere near their planes. Where there is no memory for it, all frames are forgotten.
+   * are nowhere near their planes. A frame of a camera that stands, on which three quarters of
+   * the image are as in the last one, tells nothing more. Where there is no memory for it, all
+   * frames are forgotten.
    * \param[in] points in the camera frame, z forward; an image of the size of those before
    * \param[in] plane_of for each point; no plane: a number beyond. Planes with few
    * points tell nothing.
@@ -136,6 +138,9 @@ private:
   bool
   areNear (const PlaneVectors& planes, const DepthNoise& noise) const;
 
+  bool
+  isSameView (const DepthNoise& noise) const;
+
   void
   addEquations (const PlaneVectors& planes, const DepthNoise& noise, bool right_angles);
 
@@ -160,7 +165,7 @@ private:
   std::vector<Wave> waves_;
   Eigen::MatrixXd row_cosines_, column_cosines_; // half periods x cells
   Eigen::MatrixXf pixel_row_cosines_, pixel_column_cosines_;
-  std::vector<Cell> cells_;
+  std::vector<Cell> cells_, view_; // of a frame, and of the last one that was added
   std::vector<PlaneSums> planes_;
   std::vector<Normal> normals_; // of the large planes of a frame
   Eigen::MatrixXd weights_;     // of the cells of a frame

@@ -26,7 +26,7 @@ namespace pcl {
  * \code
  * segmentation.segment (model_coefficients, inlier_indices);
  * pcl::DepthWarpCorrection<pcl::PointXYZ> correction;
- * correction.addFrame (cloud, model_coefficients, inlier_indices); // more frames: better
+ * correction.addFrame (cloud, model_coefficients, inlier_indices); // more views: better
  * correction.setInputCloud (cloud);
  * correction.filter (*corrected);
  * \endcode
