@@ -79,16 +79,27 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
       return 10.f * noise.sigma (squared_range) > std::sqrt (squared_range) &&
              squared_range <= given.maxSquaredRange();
     });
-    noisy_frames_ += noise.constant > 3.99f * given.constant; // 4 times is the limit
+    noisy_frames_ += noise.constant >= DepthNoise::max_ratio * given.constant &&
+                     noise.quadratic >= DepthNoise::max_ratio * given.quadratic;
     frames_elsewhere_ += !isInCameraFrame (cloud);
   }
-  if (estimated_pose_.empty() && summary.pose == PoseSource::estimated &&
+  if (summary.pose == PoseSource::estimated &&
       (options_.find_objects || options_.find_obstacles))
+    addEstimatedPose (frame, summary);
+}
+
+void
+InputNotices::addEstimatedPose (const Frame& frame, const FrameSummary& summary)
+{
+  const float height = summary.camera_to_base->translation().z();
+  least_height_ = std::min (least_height_, height);
+  largest_height_ = std::max (largest_height_, height);
+  if (estimated_pose_.empty())
     estimated_pose_ =
         (boost::format ("pose of the camera: estimated, in %s from plane %d as the "
                         "floor, at a distance of %.2f m; --base-transform gives the "
                         "true one") %
-         frame.name % summary.floor % summary.camera_to_base->translation().z())
+         frame.name % summary.floor % height)
             .str();
 }
 
@@ -160,6 +171,14 @@ InputNotices::lines() const
         "corrected; give frames with walls or floor");
   if (!estimated_pose_.empty())
     lines.push_back (estimated_pose_);
+  constexpr float max_change = 0.2f; // of a camera that drives
+  if (largest_height_ - least_height_ > max_change)
+    lines.push_back ((boost::format ("pose of the camera: estimated at %.2f to %.2f m "
+                                     "above what is taken for the floor, which may be "
+                                     "a table in some frames; --base-transform gives "
+                                     "the true one") %
+                      least_height_ % largest_height_)
+                         .str());
   return lines;
 }
 

@@ -23,8 +23,6 @@ constexpr std::ptrdiff_t min_rectangles = 100;
 constexpr float max_noise_share = 0.1f;
 /** The median of a normal distribution's sizes, in standard deviations. */
 constexpr float median_size = 0.6745f;
-/** Rectangles with larger errors are on fine structure, as that of a fence or of leaves. */
-constexpr float max_ratio = 4.f;
 
 /** The error of the rectangle with the corners \a first, \a right pixels further along a row, and
  * \a down pixels further along columns, in standard deviations; not finite where one of them is
@@ -101,7 +99,7 @@ noiseIn (const OrganizedPoints& points,
     return result;
   const auto median = errors.begin() + (end - errors.begin()) / 2;
   std::nth_element (errors.begin(), median, end);
-  const float ratio = std::clamp (*median / median_size, 1.f, max_ratio);
+  const float ratio = std::clamp (*median / median_size, 1.f, DepthNoise::max_ratio);
   result = withinItsLimit (result.times (ratio));
   result.is_least = false;
   return result;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,9 @@ class SegmentFloor : public SegmentObstaclesTest {
 protected:
   /** A depth image in mm of a camera 0.8 m above a floor that looks down by 30 degrees; a
    * box 30 cm high and 40 cm wide stands 1.2 m ahead, and from 2 m on the floor is
-   * \a step lower. */
+   * \a step lower; all of it \a scale times as large. */
   void
-  writeFloor (const std::string& name, double step) const
+  writeFloor (const std::string& name, double step, double scale = 1.) const
   {
     std::vector<std::uint16_t> depth (320 * 240);
     for (int v = 0; v < 240; ++v)
@@ -39,7 +40,7 @@ protected:
           z = at_box;
         if (z < 4.)
           depth[static_cast<std::size_t> (320 * v + u)] =
-              static_cast<std::uint16_t> (std::lround (1000. * z));
+              static_cast<std::uint16_t> (std::lround (1000. * scale * z));
       }
     writePng (folder_ / name, 320, depth);
   }
@@ -78,6 +79,19 @@ TEST_F (SegmentFloor, PoseIsGivenOrEstimatedFromTheFloor)
     EXPECT_NEAR (frame["obstacles"][0]["centroid_m"][1], y, 0.01);
     EXPECT_NEAR (frame["obstacles"][0]["centroid_m"][2], 0.15, 0.02);
   }
+}
+
+TEST_F (SegmentFloor, EstimatedPosesThatDifferAreTold)
+{
+  const auto errorOf = [&] (double scale) {
+    std::filesystem::create_directory (folder_ / "two");
+    writeFloor ("two/a.png", 0.);
+    writeFloor ("two/b.png", 0., scale);
+    return run ("two --obstacles --output out" + camera_).err;
+  };
+  const std::string differing = "pose of the camera: estimated at 0.80 to 1.20 m above";
+  EXPECT_NE (errorOf (1.5).find (differing), std::string::npos) << errorOf (1.5);
+  EXPECT_EQ (errorOf (1.1).find ("estimated at"), std::string::npos);
 }
 
 TEST_F (SegmentFloor, AStepDownIsADropOff)

@@ -8,6 +8,7 @@
 #include <pcl/point_types.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ public:
   lines () const;
 
 private:
+  void
+  addEstimatedPose (const Frame& frame, const FrameSummary& summary);
+
   SegmenterOptions options_;
   std::size_t frames_ = 0;
   std::size_t measured_points_ = 0;
@@ -46,6 +50,8 @@ private:
   bool is_warp_empty_ = false;
   /** About the first frame with an estimated pose. */
   std::string estimated_pose_;
+  /** Of the camera above the floor, of all such frames, in metres. */
+  float least_height_ = std::numeric_limits<float>::infinity(), largest_height_ = 0.f;
 };
 
 } // namespace rgbd_planes

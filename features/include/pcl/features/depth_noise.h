@@ -44,6 +44,9 @@ struct DepthNoise {
    * where errors of pixels are like those of their neighbours, means over windows have more. */
   float normal_scatter = 1.f;
   static constexpr float max_normal_scatter = 5.f;
+  /** Frames count as having at most so many times the least noise: larger errors are those of fine
+   * structure, as that of a fence or of leaves. */
+  static constexpr float max_ratio = 4.f;
   /** Nearer points, in metres^2, have no direction. */
   static constexpr float min_squared_range = 1e-12f;
 

@@ -32,8 +32,7 @@ public:
     copy_.resize (floats * points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       Eigen::Map<Eigen::Vector3f> p (&copy_[floats * i]);
-      if (isMeasured (points[i]))
-        p = Eigen::Map<const Eigen::Vector3f> (points[i]) - origin;
+      p = Eigen::Map<const Eigen::Vector3f> (points[i]) - origin;
       // Those at the sensor were (0, 0, 0) there, but for what is rounded.
       if (!isMeasured (points[i]) || p.squaredNorm() <= DepthNoise::min_squared_range)
         p.setConstant (std::numeric_limits<float>::quiet_NaN());
