@@ -18,6 +18,9 @@ constexpr float min_step_m = 0.01f;
 constexpr std::size_t part_of_points = 10;
 /** It is the floor if it is nearer to z = 0 by so much, as a share of what the floor may be off. */
 constexpr float min_nearer = 0.2f;
+/** A level that is less tilted by so much, no farther from z = 0, and has half as many points, is
+ * the floor before a ramp whose plane took some of it. */
+constexpr float min_ramp = 0.05f;
 /** Noise tilts even small planes of the floor by no more than this. */
 constexpr float max_cos_tilted = 0.9962f; // 5 degrees
 /** Points further from the floor are not on it. */
@@ -88,6 +91,7 @@ FloorPlane::find (const OrganizedPoints& points,
       continue;
     // An error of the pose turns far points away from z = 0, one of the plane what is below
     // the robot.
+    samples.tilt = std::acos (std::min (cosine, 1.f));
     samples.off_zero = std::min (std::abs (samples.height) / samples.weight,
                                  std::abs (heightAbove (plane, base.data())) / cosine);
     const float nearness = std::max (1.f - samples.off_zero / max_height, 0.f);
@@ -118,8 +122,12 @@ FloorPlane::lowerLevel (std::size_t floor, float max_height) const
     const float min_step =
         std::max (min_step_m, large_part_sigmas * lower.height_sigma / lower.weight);
     const float nearer = std::max (min_step_m, min_nearer * max_height);
-    if (step > min_step && lower.off_zero + nearer < upper.off_zero &&
-        part_of_points * lower.points >= upper.points)
+    const bool is_below = step > min_step && lower.off_zero + nearer < upper.off_zero &&
+                          part_of_points * lower.points >= upper.points;
+    const bool is_upright = lower.tilt + min_ramp < upper.tilt &&
+                            lower.off_zero <= upper.off_zero &&
+                            2 * lower.points >= upper.points;
+    if (is_below || is_upright)
       floor = k;
   }
   return floor;

@@ -221,6 +221,20 @@ TEST (FloorPlane, ARampBeforeTheRobotIsNoFloor)
     }
 }
 
+/** Its plane took floor before it as well, so that it is at z = 0 in the mean. */
+TEST (FloorPlane, ARampInOnePlaneWithSomeFloorIsNoFloor)
+{
+  const float angle = 4.f * static_cast<float> (M_PI) / 180.f;
+  const Patch ramp{{-std::sin (angle), 0.f, std::cos (angle)},
+                   {0.95f, 0.f, 0.f},
+                   [] (const Eigen::Vector3f& p) { return std::abs (p.y()) < 0.5f; }};
+  Patch floor = floorAt (0.f);
+  floor.covers = [ramp] (const Eigen::Vector3f& p) { return !ramp.covers (p); };
+  const FloorScene scene ({floor, ramp}, cameraPose (1.f, 0.49f), 320, kinectSigma);
+  const Result result = detect (scene);
+  EXPECT_GT (share (scene, result, 0, 0, ObstacleClass::floor), 0.99);
+}
+
 TEST (FloorPlane, APointAtTheSensorDoesNotChooseTheFloor)
 {
   FloorScene scene (only_floor, pose, 320);

@@ -68,7 +68,8 @@ public:
    * weight in all. A weight falls with the fourth power of range, for a robot stands on what
    * is near, and with the square of how far off the plane is within \a max_height. Where another
    * one lies lower than that, and is nearer to z = 0, it is the floor: a step before the robot is
-   * nearer than the floor that it stands on.
+   * nearer than the floor that it stands on. So is one with half as many points that is less
+   * tilted by 3 degrees and no farther from z = 0: ramps begin there.
    *
    * The points of about 80 columns and 60 rows are looked at.
    */
@@ -156,6 +157,7 @@ private:
     float sigmas_in_base = 0.f, height_sigma = 0.f;
     // How far the plane is from z = 0; infinite where it cannot be the floor.
     float off_zero = std::numeric_limits<float>::infinity();
+    float tilt = 0.f; // against the z axis of the base frame
     // Weighted sums of how far the plane is above the floor, in metres, then the level, and
     // in standard deviations of depth.
     float level = 0.f, sigmas = 0.f;
