@@ -39,7 +39,6 @@ ObjectClusters::compute (const OrganizedPoints& points,
   if (!supports.planes().empty()) {
     markBackground();
     pixel_angle_ = meanPixelAngle (points);
-    margins_ = marginsOf (points);
     findRuns (selected);
     sumUp();
   }
@@ -191,10 +190,11 @@ ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
   const auto height = static_cast<std::uint32_t> (points_.height);
   const std::uint32_t u = run.first % width_, v = run.first / width_;
   const std::uint32_t end = run.first + run.length;
-  const bool is_near = step == -1  ? u < margins_.left
-                       : step == 1 ? u + run.length + margins_.right > width_
-                       : step == -points_.width ? v < margins_.above
-                                                : v + margins_.below >= height;
+  const ImageMargins& margins = supports_->margins();
+  const bool is_near = step == -1  ? u < margins.left
+                       : step == 1 ? u + run.length + margins.right > width_
+                       : step == -points_.width ? v < margins.above
+                                                : v + margins.below >= height;
   if (!is_near)
     return 0;
   // Along the run, only its end can be next to the border.

@@ -86,7 +86,7 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
                                const ObjectParameters& parameters)
 {
   background_.clear();
-  const ImageMargins margins = marginsOf (points);
+  margins_ = marginsOf (points);
   const auto supports = [&] (const SegmentedPlane& plane) {
     return std::any_of (
         supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
@@ -112,7 +112,7 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
     const bool is_background =
         !isAtOneOf (Reach::surroundings).isAtLeast (1. - background_share) ||
         !isAtOneOf (Reach::outline).isAtLeast (over_hull_share) ||
-        (!supports (plane) && goesAcross (points, margins, *plane.inliers));
+        (!supports (plane) && goesAcross (points, margins_, *plane.inliers));
     if (is_background && !isFront (plane))
       background_.push_back (plane);
   }

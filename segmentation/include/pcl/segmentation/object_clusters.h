@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <pcl/segmentation/image_margins.h>
 #include <pcl/segmentation/linked_runs.h>
 #include <pcl/segmentation/pixel_lines.h>
 #include <pcl/segmentation/point_row.h>
@@ -247,7 +246,6 @@ private:
   const SupportPlanes* supports_ = nullptr;
   ObjectParameters parameters_;
   float pixel_angle_ = 0.f;
-  ImageMargins margins_;                   // where clusters may be cut
   std::vector<const SupportPlane*> bases_; // those that are not on an object
   std::vector<std::uint8_t> is_background_;
   PointRow rows_[2];

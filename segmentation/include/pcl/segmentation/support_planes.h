@@ -6,6 +6,7 @@
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/convex_outline.h>
+#include <pcl/segmentation/image_margins.h>
 #include <pcl/segmentation/linked_runs.h>
 #include <pcl/segmentation/object_parameters.h>
 #include <pcl/segmentation/plane_moments.h>
@@ -147,6 +148,13 @@ public:
     return background_;
   }
 
+  /** \brief The margins of the image, which cut things. */
+  const ImageMargins&
+  margins () const
+  {
+    return margins_;
+  }
+
 private:
   /** \brief The plane that most of a sample of the points agree on: RANSAC that starts
    * from the model at hand, then least squares over the points that agree. */
@@ -184,6 +192,7 @@ private:
 
   std::vector<SupportPlane> supports_;
   std::vector<SegmentedPlane> background_;
+  ImageMargins margins_;
   SupportRejections rejections_;
   RansacSample sample_;
   std::vector<Eigen::Vector2f> border_;
