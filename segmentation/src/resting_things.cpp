@@ -34,6 +34,9 @@ constexpr float sigmas = 3.f;
 constexpr float stretch = 1.5f;
 /** Sides that pixels of noise lean inwards go under their tops by no more of their height. */
 constexpr float max_side_slope = 0.1f;
+/** Stems are no wider in the mean, in metres, and so many times as high as they are wide. */
+constexpr float max_stem_width = 0.02f;
+constexpr float min_slenderness = 2.f;
 
 } // namespace
 
@@ -44,7 +47,8 @@ RestingThings::find (const OrganizedPoints& points,
                      const std::vector<SupportPlane>& supports,
                      const ObjectParameters& parameters,
                      const std::vector<std::size_t>& thing_of,
-                     std::vector<ObjectCluster>& things)
+                     std::vector<ObjectCluster>& things,
+                     DisjointSets& sets)
 {
   points_ = points;
   pixel_angle_ = pixel_angle;
@@ -66,6 +70,7 @@ RestingThings::find (const OrganizedPoints& points,
         (is_in_air || (Share{end.touching, end.lines}.isAtLeast (min_touching) &&
                        liesOverOthers (things[k], support))))
       things[k].bottom = extent.low;
+    joinStems (k, support, extent, sets);
   }
 }
 
@@ -102,6 +107,7 @@ RestingThings::lowerEnd (std::size_t thing,
 {
   LowerEnd end;
   touched_.clear();
+  behind_.clear();
   for (std::size_t c = 0; c < thing_of_->size(); ++c)
     if ((*thing_of_)[c] == thing)
       occlusions_->forEachLowest (c, [&] (std::uint32_t lowest, std::ptrdiff_t down) {
@@ -133,6 +139,11 @@ RestingThings::lookBelow (std::uint32_t lowest,
       LinkLimit::min_rise, std::fabs (elevationOf (from.data(), support.plane.normal)));
   const float pixels = stretch * static_cast<float> (below->steps);
   const float limit = sigmas * extent.sigma + pixels * pixel_angle_ * range / rise;
+  // Edges lack depth, and their pixels may be of nothing.
+  const auto next = occlusions_->nextCluster (lowest, down, 2 * occlusions_->maxGap());
+  if (next && (*thing_of_)[next->cluster] != thing &&
+      std::sqrt (squaredRange (points_[next->point])) >= range - limit)
+    behind_.push_back (next->point);
   if (to.norm() > range + limit) {
     const bool is_low = support.plane.distance (from.data()) <
                         extent.low + std::max (parameters_.min_object_height,
@@ -160,9 +171,7 @@ RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& s
 {
   ground_.clear();
   for (const std::size_t other : touched_)
-    sampleAtMost ((*things_)[other].runs, max_points_of_thing, [&] (std::size_t i) {
-      ground_.push_back (support.project (points_[i]));
-    });
+    addToGround ((*things_)[other].runs, support);
   outline_.compute (ground_, 0.f);
   Share over;
   sampleAtMost (thing.runs, max_points_of_thing, [&] (std::size_t i) {
@@ -170,6 +179,50 @@ RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& s
     ++over.all;
   });
   return over.isAtLeast (min_over);
+}
+
+/** Joins a thing with the thin ones that are seen under it. */
+void
+RestingThings::joinStems (std::size_t thing,
+                          const SupportPlane& support,
+                          const Extent& extent,
+                          DisjointSets& sets)
+{
+  if (behind_.empty())
+    return;
+  ground_.clear();
+  addToGround ((*things_)[thing].runs, support);
+  outline_.compute (ground_, 0.f);
+  const float max_width = std::min (max_stem_width, extent.low / min_slenderness);
+  for (const std::uint32_t i : behind_) {
+    const std::size_t other = (*thing_of_)[occlusions_->ownerOf (i) - 1];
+    const ObjectCluster& stem = (*things_)[other];
+    if (stem.support == (*things_)[thing].support &&
+        outline_.contains (support.project (points_[i])) &&
+        areaOf (stem) <= max_width * extent.low)
+      sets.join (static_cast<std::uint32_t> (thing),
+                 static_cast<std::uint32_t> (other));
+  }
+}
+
+/** What is seen of it, in square metres. */
+float
+RestingThings::areaOf (const ObjectCluster& thing) const
+{
+  float area = 0.f;
+  for (const PointRun& run : thing.runs)
+    area += static_cast<float> (run.length) * pixel_angle_ * pixel_angle_ *
+            squaredRange (points_[run.first]);
+  return area;
+}
+
+void
+RestingThings::addToGround (const std::vector<PointRun>& runs,
+                            const SupportPlane& support)
+{
+  sampleAtMost (runs, max_points_of_thing, [&] (std::size_t i) {
+    ground_.push_back (support.project (points_[i]));
+  });
 }
 
 } // namespace rgbd_planes

@@ -22,42 +22,44 @@ WholeThings::compute (const OrganizedPoints& points,
       points, clustering.pixelAngle(), occlusions_, supports.planes(), clusters, sets_);
   attached_parts_.find (
       points, normals, occlusions_, supports, parameters, clusters, sets_);
-  collect (clusters);
+  collect (clusters, pieces_);
+  sets_.start (pieces_.size());
   resting_things_.find (points,
                         clustering.pixelAngle(),
                         occlusions_,
                         supports.planes(),
                         parameters,
-                        thing_of_,
-                        things_);
+                        piece_of_,
+                        pieces_,
+                        sets_);
+  collect (pieces_, things_);
 }
 
-/** What was joined is where the first of its clusters is. */
+/** What was joined is where the first of its pieces is, and begins where the lowest does. */
 void
-WholeThings::collect (const std::vector<ObjectCluster>& clusters)
+WholeThings::collect (const std::vector<ObjectCluster>& pieces,
+                      std::vector<ObjectCluster>& things)
 {
   std::size_t count = 0;
-  thing_of_.resize (clusters.size());
-  for (std::uint32_t k = 0; k < clusters.size(); ++k) {
+  piece_of_.resize (pieces.size());
+  for (std::uint32_t k = 0; k < pieces.size(); ++k) {
     const std::uint32_t root = sets_.root (k);
-    const auto& runs = clusters[k].runs;
-    if (root != k) {
-      auto& joined = things_[thing_of_[root]].runs;
-      joined.insert (joined.end(), runs.begin(), runs.end());
-      thing_of_[k] = thing_of_[root];
-      continue;
+    piece_of_[k] = root == k ? count++ : piece_of_[root];
+    things.resize (std::max (things.size(), count));
+    ObjectCluster& thing = things[piece_of_[k]];
+    if (root == k) {
+      thing.runs.clear();
+      thing.support = pieces[k].support;
+      thing.bottom = pieces[k].bottom;
     }
-    thing_of_[k] = count++;
-    things_.resize (std::max (things_.size(), count));
-    things_[thing_of_[k]].runs.assign (runs.begin(), runs.end());
-    things_[thing_of_[k]].support = clusters[k].support;
-    things_[thing_of_[k]].bottom = 0.f;
+    thing.runs.insert (thing.runs.end(), pieces[k].runs.begin(), pieces[k].runs.end());
+    thing.bottom = std::min (thing.bottom, pieces[k].bottom);
   }
-  things_.resize (count);
+  things.resize (count);
   const auto isBefore = [] (const PointRun& a, const PointRun& b) {
     return a.first < b.first;
   };
-  for (auto& thing : things_)
+  for (auto& thing : things)
     if (!std::is_sorted (thing.runs.begin(), thing.runs.end(), isBefore))
       std::sort (thing.runs.begin(), thing.runs.end(), isBefore);
 }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/segmentation/disjoint_sets.h>
 #include <pcl/segmentation/occlusion_steps.h>
 #include <pcl/segmentation/support_planes.h>
 
@@ -15,10 +16,12 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Finds what rests on another thing instead of their plane, and how high.
+/** \brief Finds what rests on another thing instead of their plane, and how high, and what
+ * is one thing with the stem that holds it, such as a goblet.
  *
  * Its lower end is seen, well above the plane: in mid-air, or next to other things over which it
- * lies. What stands behind a thing and touches it does not lie over that.
+ * lies. What stands behind a thing and touches it does not lie over that. A stem is seen below
+ * a small part of the lower end, within the outline of what it holds, and is slender.
  */
 class PCL_RGBD_PLANES_EXPORTS RestingThings {
 public:
@@ -27,6 +30,7 @@ public:
    * \param[in] supports the planes that the things refer to
    * \param[in] thing_of for each cluster, its thing
    * \param[in,out] things get their bottoms
+   * \param[in,out] sets things are joined with their stems
    */
   void
   find (const OrganizedPoints& points,
@@ -35,7 +39,8 @@ public:
         const std::vector<SupportPlane>& supports,
         const ObjectParameters& parameters,
         const std::vector<std::size_t>& thing_of,
-        std::vector<ObjectCluster>& things);
+        std::vector<ObjectCluster>& things,
+        DisjointSets& sets);
 
 private:
   /** \brief What is below a thing, in lines of the image. */
@@ -75,13 +80,26 @@ private:
   bool
   liesOverOthers (const ObjectCluster& thing, const SupportPlane& support);
 
+  void
+  joinStems (std::size_t thing,
+             const SupportPlane& support,
+             const Extent& extent,
+             DisjointSets& sets);
+
+  float
+  areaOf (const ObjectCluster& thing) const;
+
+  void
+  addToGround (const std::vector<PointRun>& runs, const SupportPlane& support);
+
   OrganizedPoints points_;
   float pixel_angle_ = 0.f;
   const OcclusionSteps* occlusions_ = nullptr;
   ObjectParameters parameters_;
   const std::vector<std::size_t>* thing_of_ = nullptr;
   const std::vector<ObjectCluster>* things_ = nullptr;
-  std::vector<std::size_t> touched_; // things below the one at hand
+  std::vector<std::size_t> touched_;  // things below the one at hand
+  std::vector<std::uint32_t> behind_; // their points next to its lower end, not nearer
   std::vector<float> heights_;
   std::vector<Eigen::Vector2f> ground_;
   ConvexOutline outline_;

@@ -13,7 +13,8 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Joins clusters that are pieces of one thing: see HollowThings and AttachedParts. */
+/** \brief Joins clusters that are pieces of one thing: see HollowThings, AttachedParts and
+ * RestingThings. */
 class PCL_RGBD_PLANES_EXPORTS WholeThings {
 public:
   /** \param[in] normals one for each point, or none
@@ -37,14 +38,16 @@ public:
 
 private:
   void
-  collect (const std::vector<ObjectCluster>& clusters);
+  collect (const std::vector<ObjectCluster>& pieces,
+           std::vector<ObjectCluster>& things);
 
   OcclusionSteps occlusions_;
   HollowThings hollow_things_;
   AttachedParts attached_parts_;
   RestingThings resting_things_;
   DisjointSets sets_;
-  std::vector<std::size_t> thing_of_; // of each cluster
+  std::vector<std::size_t> piece_of_; // of what was joined last, for each part
+  std::vector<ObjectCluster> pieces_; // things without their stems
   std::vector<ObjectCluster> things_;
 };
 
