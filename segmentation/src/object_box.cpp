@@ -7,10 +7,8 @@
 #include <pcl/segmentation/object_box.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -42,67 +40,6 @@ Eigen::Vector2f
 turned (const Eigen::Vector2f& a)
 {
   return {-a.y(), a.x()};
-}
-
-/** The direction of the side of the hull along which a rectangle around it is smallest. */
-Eigen::Vector2f
-smallestRectangle (const std::vector<Eigen::Vector2f>& corners)
-{
-  float smallest = std::numeric_limits<float>::max();
-  Eigen::Vector2f best = Eigen::Vector2f::UnitX();
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Eigen::Vector2f& corner = corners[k];
-    const Eigen::Vector2f side = corners[(k + 1) % corners.size()] - corner;
-    if (side.squaredNorm() == 0.f)
-      continue;
-    const Eigen::Vector2f along = side.normalized();
-    float low = 0.f, high = 0.f, width = 0.f;
-    for (const auto& other : corners) {
-      const Eigen::Vector2f to_other = other - corner;
-      low = std::min (low, along.dot (to_other));
-      high = std::max (high, along.dot (to_other));
-      width = std::max (width, cross (along, to_other));
-    }
-    if ((high - low) * width < smallest) {
-      smallest = (high - low) * width;
-      best = along;
-    }
-  }
-  return best;
-}
-
-/** The lowest one of \a values, times \a sign, but for \a few. */
-float
-lowestBut (std::size_t few, const std::vector<float>& values, float sign)
-{
-  // More values than a few are no higher than the lowest one of each group; not many are.
-  constexpr std::size_t groups = 8;
-  static_assert (trimmed_part * max_points_of_thing < groups,
-                 "there are enough groups");
-  std::array<float, groups> lowest;
-  lowest.fill (std::numeric_limits<float>::max());
-  for (std::size_t i = 0; i + groups <= values.size(); i += groups)
-    for (std::size_t k = 0; k < groups; ++k)
-      lowest[k] = std::min (lowest[k], sign * values[i + k]);
-  const float bound = *std::max_element (lowest.begin(), lowest.end());
-  std::array<float, max_points_of_thing> candidates{};
-  auto end = candidates.begin();
-  for (const float value : values) {
-    *end = sign * value;
-    end += *end <= bound;
-  }
-  const auto selected = candidates.begin() + static_cast<std::ptrdiff_t> (few);
-  std::nth_element (candidates.begin(), selected, end);
-  return *selected;
-}
-
-/** The range of the values but for a few at either end. */
-ObjectBoxFinder::Range
-trimmedRange (const std::vector<float>& values)
-{
-  const auto few =
-      static_cast<std::size_t> (trimmed_part * static_cast<float> (values.size()));
-  return {lowestBut (few, values, 1.f), -lowestBut (few, values, -1.f)};
 }
 
 /** The mean of some values. */
@@ -146,20 +83,15 @@ ObjectBoxFinder::compute (const OrganizedPoints& points,
   convexHull (border_, hull_);
   const View view = viewFrom (support.plane.d, height, noise);
   // The first side of the two goes away from the camera.
-  Eigen::Vector2f along = smallestRectangle (hull_);
+  Eigen::Vector2f along = rectangle_.find (projected_, hull_, view.sigma);
   if (std::fabs (cross (along, view.away)) > std::fabs (along.dot (view.away)))
     along = turned (along);
   if (along.dot (view.away) < 0.f)
     along = -along;
   const Eigen::Vector2f across = turned (along);
-  const auto rangeAlong = [&] (const Eigen::Vector2f& direction) {
-    values_.clear();
-    for (const auto& q : projected_)
-      values_.push_back (direction.dot (q));
-    return trimmedRange (values_);
-  };
-  const Range x = withoutNoise (rangeAlong (along), along, view);
-  const Range y = rangeAlong (across);
+  const CoordinateRange x =
+      withoutNoise (rectangle_.rangeAlong (along, projected_), along, view);
+  const CoordinateRange y = rectangle_.rangeAlong (across, projected_);
 
   ObjectBox box;
   const Eigen::Vector2f middle =
@@ -205,8 +137,8 @@ ObjectBoxFinder::viewFrom (float camera_height,
   return view;
 }
 
-ObjectBoxFinder::Range
-ObjectBoxFinder::withoutNoise (const Range& range,
+CoordinateRange
+ObjectBoxFinder::withoutNoise (const CoordinateRange& range,
                                const Eigen::Vector2f& direction,
                                const View& view) const
 {

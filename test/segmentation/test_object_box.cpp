@@ -18,10 +18,9 @@ using table_scenes::View;
 
 namespace {
 
-/** The sides of the box around all points of some boxes of a view that stand on z = 0: the one
- * nearest to the base's x axis, the one nearest to y, and the height. */
-Vector3f
-sidesOf (const View& view, std::initializer_list<int> boxes)
+/** The box around all points of some boxes of a view that stand on z = 0. */
+ObjectBox
+boxOf (const View& view, std::initializer_list<int> boxes)
 {
   pcl::Indices indices;
   for (const int box : boxes)
@@ -37,7 +36,14 @@ sidesOf (const View& view, std::initializer_list<int> boxes)
                                static_cast<int> (view.cloud->width),
                                static_cast<int> (view.cloud->height)};
   ObjectBoxFinder finder;
-  const ObjectBox box = finder.compute (points, indices, ground, 0.f, DepthNoise());
+  return finder.compute (points, indices, ground, 0.f, DepthNoise());
+}
+
+/** Its sides: the one nearest to the base's x axis, the one nearest to y, and the height. */
+Vector3f
+sidesOf (const View& view, std::initializer_list<int> boxes)
+{
+  const ObjectBox box = boxOf (view, boxes);
   const Eigen::Matrix3f axes = view.camera_to_base.linear() * box.axes;
   EXPECT_NEAR (axes.determinant(), 1.f, 1e-4f);
   EXPECT_GT (axes (2, 2), 0.999f);
@@ -94,6 +100,24 @@ TEST (ObjectBox, AHighBackIsNotTheMiddleOfAThing)
   EXPECT_NEAR (sides.x(), 0.12f, 0.01f);
   EXPECT_NEAR (sides.y(), 0.1f, 0.006f);
   EXPECT_NEAR (sides.z(), 0.12f, 0.006f);
+}
+
+// From above, two sides are a triangle, along whose third side a rectangle is as small.
+TEST (ObjectBox, TwoSidesTellHowABoxIsTurned)
+{
+  for (const float noise : {0.f, 0.5f, 1.f})
+    for (float yaw = 0.55f; yaw < 1.05f; yaw += 0.05f) {
+      const Vector3f size (0.1f, 0.1f, 0.2f);
+      const View view = table_scenes::look (
+          {{{1.2f, 0.f, 0.f}, size, yaw}}, Camera{0.2f, 0.f, 0.f, 640, 480}, noise);
+      const ObjectBox box = boxOf (view, {0});
+      const Vector3f side = view.camera_to_base.linear() * box.axes.col (0);
+      const float turn =
+          std::remainder (std::atan2 (side.y(), side.x()) - yaw, 1.5708f);
+      EXPECT_NEAR (turn, 0.f, 0.1f) << noise << ' ' << yaw;
+      EXPECT_NEAR (box.size.x(), size.x(), 0.01f) << noise << ' ' << yaw;
+      EXPECT_NEAR (box.size.y(), size.y(), 0.01f) << noise << ' ' << yaw;
+    }
 }
 
 TEST (ObjectBox, ATopThatIsNotSeen)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/segmentation/ground_rectangle.h>
 #include <pcl/segmentation/support_planes.h>
 
 #include <Eigen/Core>
@@ -27,9 +28,8 @@ struct ObjectBox {
 /** \brief Finds boxes, and keeps its buffers for the next one. */
 class PCL_RGBD_PLANES_EXPORTS ObjectBoxFinder {
 public:
-  /** \brief The box from the plane, or from a bottom above it, to the top of the points, with the
-   * smallest rectangle around them for its ground; a few points, such as flying pixels, may stick
-   * out.
+  /** \brief The box from the plane, or from a bottom above it, to the top of the points, with a
+   * GroundRectangle around them; a few points, such as flying pixels, may stick out.
    *
    * Noise of depth spreads points along the view. Where a front and a top are seen, the
    * near end is where the front is in the mean. The far end is half-way between the furthest
@@ -44,12 +44,6 @@ public:
            const SupportPlane& support,
            float bottom,
            const DepthNoise& noise);
-
-  /** \brief Of coordinates along a direction. */
-  struct Range {
-    float low = 0.f;
-    float high = 0.f;
-  };
 
 private:
   /** \brief How the camera sees a thing; heights are those above the supporting plane. */
@@ -70,14 +64,14 @@ private:
 
   /** \brief Moves the ends of the range along a direction away from the camera to where they
    * are without noise, if a front and a top are seen. */
-  Range
-  withoutNoise (const Range& range,
+  CoordinateRange
+  withoutNoise (const CoordinateRange& range,
                 const Eigen::Vector2f& direction,
                 const View& view) const;
 
   std::vector<Eigen::Vector2f> projected_;
   std::vector<float> heights_;
-  std::vector<float> values_;
+  GroundRectangle rectangle_;
   std::vector<Eigen::Vector2f> border_;
   std::vector<Eigen::Vector2f> hull_;
 };
