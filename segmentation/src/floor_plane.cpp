@@ -30,13 +30,15 @@ constexpr float off_sigmas = 3.f;
 constexpr float min_cos_bent = 0.9f; // 26 degrees
 constexpr float max_bend_m = 0.03f;
 /** In the weighted mean, it bends parts of a floor by no more than so many standard deviations.
- * Those with a quarter of the points of the floor are too large for the top of a low thing. */
+ * Those with a quarter of the points of the floor are too large for the top of a low thing, and
+ * where there is no step to the floor, there is no low thing. */
 constexpr float part_sigmas = 1.75f, large_part_sigmas = 2.7f;
 /** Points of a level that are further from the floor are told from it one by one. */
 constexpr float level_sigmas = 8.f;
 /** Where planes meet in the image, the smooth error of depth is the same on both: unless there is
- * a step, their heights differ by no more than so many standard deviations of depth. */
-constexpr float step_sigmas = 1.5f;
+ * a step, their heights differ by no more than so many standard deviations of depth. If they
+ * differ by less than the second number, there is none. */
+constexpr float step_sigmas = 1.5f, no_step_sigmas = 0.8f;
 /** They meet where samples are no more steps of the grid apart. */
 constexpr int max_gap = 3;
 /** A camera that is nearer cannot see a floor. */
@@ -203,11 +205,13 @@ FloorPlane::compare (const LabelledPlanes& planes,
     const bool is_large = 4 * samples.points >= samples_[floor].points;
     const float sigmas = std::abs (samples.sigmas) / samples.weight;
     // A border is as long as the plane is wide.
-    const bool is_step =
-        samples.borders * samples.borders >= samples.points &&
-        std::abs (samples.step) > step_sigmas * static_cast<float> (samples.borders);
+    const bool is_beside = samples.borders * samples.borders >= samples.points;
+    const float step = std::abs (samples.step) /
+                       static_cast<float> (std::max<std::size_t> (samples.borders, 1));
+    const bool is_step = is_beside && step > step_sigmas;
+    const bool is_continuous = is_beside && step < no_step_sigmas;
     samples.is_other = is_tilted && 5 * samples.off > samples.points;
-    const float limit = is_large ? large_part_sigmas : part_sigmas;
+    const float limit = is_large || is_continuous ? large_part_sigmas : part_sigmas;
     // What is apart from the floor in the image is no top of a thing that stands there.
     const bool is_apart_at_zero =
         samples.borders == 0 && isAtZero (samples_[floor]) && isAtZero (samples);

@@ -62,6 +62,29 @@ TEST (FloorLevels, OnlyLargePiecesOfTheFloorMayBeBentMuch)
   }
 }
 
+TEST (FloorLevels, ASmallPieceThatTheFloorPassesIntoMayBeBentAsMuch)
+{
+  const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);
+  Patch floor = floorAt (0.f);
+  floor.covers = [] (const Eigen::Vector3f& p) { return p.y() < 0.5f; };
+  // Two standard deviations of depth high in the mean, without and with a step.
+  for (const float slope : {0.08f, 0.f}) {
+    const Patch piece{Eigen::Vector3f (0.f, -slope, 1.f).normalized(),
+                      {0.f, 0.5f, slope > 0.f ? 0.f : 0.04f},
+                      [] (const Eigen::Vector3f& p) {
+                        return p.x() > 2.f && p.x() < 3.5f && p.y() > 0.5f &&
+                               p.y() < 1.5f;
+                      }};
+    const FloorScene scene ({floor, piece}, high, 320);
+    const Result result = detect (scene);
+    const double share_of_floor = share (scene, result, 1, 1, ObstacleClass::floor);
+    if (slope > 0.f)
+      EXPECT_EQ (share_of_floor, 1.);
+    else
+      EXPECT_LT (share_of_floor, 0.1);
+  }
+}
+
 TEST (FloorLevels, PiecesOfTheFloorThatTheErrorOfDepthBentApartAreFloor)
 {
   const Eigen::Affine3f high = cameraPose (1.4f, 0.45f);
