@@ -29,6 +29,8 @@ constexpr float above_round = 0.25f;
 /** ... or touches other things, over which so many of its points lie. */
 constexpr double min_touching = 0.5;
 constexpr double min_over = 0.5;
+/** What touches something else there, that is no object, is a part of that. */
+constexpr double min_on_no_thing = 0.5;
 /** What is next to each other differs in range by noise, and by so many widths of a pixel. */
 constexpr float sigmas = 3.f;
 constexpr float stretch = 1.5f;
@@ -59,8 +61,7 @@ RestingThings::find (const OrganizedPoints& points,
   for (std::size_t k = 0; k < things.size(); ++k) {
     const SupportPlane& support = supports[things[k].support];
     const Extent extent = extentOf (things[k], support);
-    if (extent.low <= std::max (min_heights * parameters.min_object_height,
-                                min_sigmas * extent.sigma))
+    if (extent.low <= minLow (extent))
       continue;
     const LowerEnd end = lowerEnd (k, support, extent);
     const bool is_in_air =
@@ -70,6 +71,7 @@ RestingThings::find (const OrganizedPoints& points,
         (is_in_air || (Share{end.touching, end.lines}.isAtLeast (min_touching) &&
                        liesOverOthers (things[k], support))))
       things[k].bottom = extent.low;
+    things[k].is_part = Share{end.on_no_thing, end.lines}.isAtLeast (min_on_no_thing);
     joinStems (k, support, extent, sets);
   }
 }
@@ -98,6 +100,13 @@ RestingThings::extentOf (const ObjectCluster& thing, const SupportPlane& support
   rise = std::min (std::fabs (rise / count), 1.f);
   extent.low_if_round = 0.5f * (1.f - std::sqrt (1.f - rise * rise));
   return extent;
+}
+
+float
+RestingThings::minLow (const Extent& extent) const
+{
+  return std::max (min_heights * parameters_.min_object_height,
+                   min_sigmas * extent.sigma);
 }
 
 RestingThings::LowerEnd
@@ -159,7 +168,9 @@ RestingThings::lookBelow (std::uint32_t lowest,
     end.in_air +=
         is_low && under > pixels * pixel_angle_ * range + max_side_slope * drop;
   }
-  else if (to.norm() >= range - limit && other != things_->size()) {
+  else if (to.norm() >= range - limit && other == things_->size())
+    end.on_no_thing += support.plane.distance (to.data()) > minLow (extent);
+  else if (to.norm() >= range - limit) {
     ++end.touching;
     if (std::find (touched_.begin(), touched_.end(), other) == touched_.end())
       touched_.push_back (other);

@@ -33,6 +33,10 @@ WholeThings::compute (const OrganizedPoints& points,
                         pieces_,
                         sets_);
   collect (pieces_, things_);
+  things_.erase (std::remove_if (things_.begin(),
+                                 things_.end(),
+                                 [] (const auto& thing) { return thing.is_part; }),
+                 things_.end());
 }
 
 /** What was joined is where the first of its pieces is, and begins where the lowest does. */
@@ -51,6 +55,7 @@ WholeThings::collect (const std::vector<ObjectCluster>& pieces,
       thing.runs.clear();
       thing.support = pieces[k].support;
       thing.bottom = pieces[k].bottom;
+      thing.is_part = pieces[k].is_part;
     }
     thing.runs.insert (thing.runs.end(), pieces[k].runs.begin(), pieces[k].runs.end());
     thing.bottom = std::min (thing.bottom, pieces[k].bottom);

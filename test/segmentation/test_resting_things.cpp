@@ -234,3 +234,20 @@ TEST (RestingThings, WhatStandsFartherThanAThingInMidAirDoesNotHoldIt)
     EXPECT_EQ (objectsOfPost (view, false).first, 2u) << noise;
   }
 }
+
+// Steps of depth and pixels without it cut pieces out of large things.
+TEST (RestingThings, APieceOfWhatIsTooHighIsNoObject)
+{
+  const Box panel = onTable (1.3f, 0.f, {0.05f, 0.6f, 0.26f});
+  const Box column = onTable (1.3f, 0.35f, {0.05f, 0.1f, 0.5f});
+  View view = look ({floor_slab, table, panel, column}, camera);
+  ASSERT_TRUE (extract (view).empty());
+  for (auto& point : *view.cloud) {
+    const Vector3f p = view.camera_to_base * point.getVector3fMap();
+    const float off =
+        std::max (std::fabs (p.y()) - 0.05f, table_height + 0.18f - p.z());
+    if (off > 0.f && off < 0.01f && p.z() > table_height + 0.1f)
+      point.x = std::numeric_limits<float>::quiet_NaN();
+  }
+  EXPECT_TRUE (extract (view).empty());
+}

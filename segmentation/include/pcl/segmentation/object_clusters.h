@@ -26,6 +26,7 @@ struct ObjectCluster {
   std::size_t support = 0;    /**< the plane under them, among the supporting ones */
   /** How high above that they begin, of what rests on another thing. */
   float bottom = 0.f;
+  bool is_part = false; /**< of something that is no object */
 };
 
 /** \brief Collects the points above supporting planes and clusters them along the image,

@@ -48,6 +48,8 @@ private:
     std::size_t lines = 0;
     /** Another thing that is next to it. */
     std::size_t touching = 0;
+    /** Something that is next to it, well above the plane, and of no thing. */
+    std::size_t on_no_thing = 0;
     /** Something farther, and it does not end higher than elsewhere. */
     std::size_t farther = 0;
     /** Of these, where one looks under it. Seen from above, one looks past it. */
@@ -62,6 +64,10 @@ private:
     float sigma = 0.f;                                /**< of depth */
     Eigen::Vector2f middle = Eigen::Vector2f::Zero(); /**< on the plane */
   };
+
+  /** \brief What is no lower than this above its plane may rest on something else. */
+  float
+  minLow (const Extent& extent) const;
 
   Extent
   extentOf (const ObjectCluster& thing, const SupportPlane& support);
