@@ -193,11 +193,11 @@ PlaneExtraction::joinParts()
 {
   const auto giveIfJoined = [this] {
     if (joining_.planes().size() < moments_.size())
-      giveToJoined();
+      giveTo (joining_.planes(), joining_.planeOfPart());
   };
   joining_.compute (growth_.moments(), parameters_.additions.joining);
   owners_ = growth_.owners();
-  giveToJoined();
+  giveTo (joining_.planes(), joining_.planeOfPart());
   if (parameters_.additions.joining) {
     joining_.computeAlternating (moments_, parts_);
     giveIfJoined();
@@ -220,6 +220,11 @@ PlaneExtraction::joinParts()
     joining_.computeStrips (moments_);
     giveIfJoined();
   }
+  if (parameters_.additions.joining) {
+    ends_.find (samples_, owners_, moments_);
+    if (ends_.planes().size() < moments_.size())
+      giveTo (ends_.planes(), ends_.planeOfPart());
+  }
   planes_.clear();
   for (const PlaneMoments& moments : moments_)
     planes_.push_back (planeOf (moments.inverseDistance()));
@@ -230,12 +235,13 @@ PlaneExtraction::joinParts()
 
 /** Samples go to the planes that their own ones were joined to. */
 void
-PlaneExtraction::giveToJoined()
+PlaneExtraction::giveTo (const std::vector<PlaneMoments>& planes,
+                         const std::vector<std::int32_t>& plane_of_part)
 {
-  moments_ = joining_.planes();
+  moments_ = planes;
   for (std::int32_t& owner : owners_)
     if (owner >= 0)
-      owner = joining_.planeOfPart()[static_cast<std::size_t> (owner)];
+      owner = plane_of_part[static_cast<std::size_t> (owner)];
   findTileParts (owners_, parts_);
 }
 

@@ -6,6 +6,7 @@
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/organized_view.h>
 #include <pcl/features/rgbd_planes_exports.h>
+#include <pcl/segmentation/bent_ends.h>
 #include <pcl/segmentation/curved_patches.h>
 #include <pcl/segmentation/distance_space_clusters.h>
 #include <pcl/segmentation/label_runs.h>
@@ -170,7 +171,8 @@ private:
   joinParts ();
 
   void
-  giveToJoined ();
+  giveTo (const std::vector<PlaneMoments>& planes,
+          const std::vector<std::int32_t>& plane_of_part);
 
   void
   assign (const OrganizedPoints& points, const std::vector<std::uint8_t>& selected);
@@ -197,6 +199,7 @@ private:
   SampleComponents components_;
   PlaneGrowth growth_;
   PlaneJoining joining_;
+  BentEnds ends_;
   StepSplit steps_;
   CurvedPatches patches_;
   PlaneAssignment assignment_;

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -112,6 +113,16 @@ public:
     const std::size_t tile =
         row / side * static_cast<std::size_t> (tiles_u) + column / side;
     return tile * tile_size + row % side * side + column % side;
+  }
+
+  /** \brief The column and row of the sample that is at a place in the arrays. */
+  std::pair<int, int>
+  placeOf (std::size_t i) const
+  {
+    const int tile = static_cast<int> (i / tile_size);
+    const int in_tile = static_cast<int> (i % tile_size);
+    return {tile % tiles_u * tile_side + in_tile % tile_side,
+            tile / tiles_u * tile_side + in_tile / tile_side};
   }
 
   /** Pixels between samples, samples and tiles along both axes. */

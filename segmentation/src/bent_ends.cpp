@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the pcl_rgbd_planes authors
+
+#include "plane_levels.h"
+
+#include <pcl/segmentation/bent_ends.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace pcl {
+namespace rgbd_planes {
+
+namespace {
+
+/** Besides the numbers of parts. */
+constexpr std::int32_t none = -1, outside = -2;
+/** Planes have so many times the points of their ends. */
+constexpr std::size_t min_ratio = 20;
+/** Of what is next to an end, such a part of other planes is its plane, and such a part of all;
+ * and so much of it is outside. */
+constexpr double min_of_planes = 0.9, min_of_all = 0.25, min_outside = 0.2;
+/** How far they are off their planes, in standard deviations: in the root mean square of all, and
+ * of what is next to the plane. */
+constexpr double max_error = 5.3, max_error_beside = 4.3;
+/** They are turned by no more than 20 degrees. */
+constexpr double min_cosine = 0.94;
+
+/** Calls visit (beside, sample) with what is next to each sample of small parts. */
+template <typename Visit>
+void
+visitSurroundings (const PlaneSamples& samples,
+                   const std::vector<std::int32_t>& owners,
+                   const std::vector<bool>& is_small,
+                   const Visit& visit)
+{
+  constexpr std::array<std::array<int, 2>, 4> steps{{{0, -1}, {-1, 0}, {1, 0}, {0, 1}}};
+  const auto ownerAt = [&] (int u, int v) {
+    if (u < 0 || v < 0 || u >= samples.width || v >= samples.height)
+      return outside;
+    const std::size_t i = samples.at (u, v);
+    return owners[i] < 0 && !(samples.weight[i] > 0.f) ? outside : owners[i];
+  };
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (owners[i] < 0 || !is_small[static_cast<std::size_t> (owners[i])])
+      continue;
+    const auto [u, v] = samples.placeOf (i);
+    for (const auto& [du, dv] : steps) {
+      std::int32_t beside = ownerAt (u + du, v + dv);
+      if (beside == none) // samples between planes may be of neither
+        beside = ownerAt (u + 2 * du, v + 2 * dv);
+      if (beside != owners[i])
+        visit (beside, i);
+    }
+  }
+}
+
+} // namespace
+
+void
+BentEnds::find (const PlaneSamples& samples,
+                const std::vector<std::int32_t>& owners,
+                const std::vector<PlaneMoments>& parts)
+{
+  std::size_t most = 0;
+  for (const PlaneMoments& part : parts)
+    most = std::max (most, part.points);
+  is_small_.resize (parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    is_small_[k] = min_ratio * parts[k].points <= most;
+  lookAround (samples, owners, parts);
+  planes_.clear();
+  plane_of_part_.assign (parts.size(), none);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (!isEnd (k, parts)) {
+      plane_of_part_[k] = static_cast<std::int32_t> (planes_.size());
+      planes_.push_back (parts[k]);
+    }
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (plane_of_part_[k] == none)
+      plane_of_part_[k] = plane_of_part_[static_cast<std::size_t> (around_[k].plane)];
+}
+
+/** Which plane most of what is beside a small part is of, and how far that is off it there. */
+void
+BentEnds::lookAround (const PlaneSamples& samples,
+                      const std::vector<std::int32_t>& owners,
+                      const std::vector<PlaneMoments>& parts)
+{
+  around_.assign (parts.size(), Surroundings());
+  visitSurroundings (
+      samples, owners, is_small_, [&] (std::int32_t beside, std::size_t i) {
+        Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
+        ++around.all;
+        around.outside += beside == outside;
+        if (beside < 0)
+          return;
+        ++around.of_planes;
+        // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
+        if (around.votes == 0)
+          around.plane = beside;
+        around.votes += beside == around.plane ? 1 : std::size_t (-1);
+      });
+  visitSurroundings (
+      samples, owners, is_small_, [&] (std::int32_t beside, std::size_t i) {
+        Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
+        if (beside < 0 || beside != around.plane)
+          return;
+        const double inverse_range =
+            parts[static_cast<std::size_t> (beside)].inverseDistance().dot (
+                Eigen::Vector3f (samples.x[i], samples.y[i], samples.z[i])
+                    .cast<double>());
+        const double error = 1. - inverse_range;
+        around.squared_errors +=
+            error * error * static_cast<double> (samples.weight[i]);
+        ++around.of_plane;
+      });
+}
+
+bool
+BentEnds::isEnd (std::size_t part, const std::vector<PlaneMoments>& parts) const
+{
+  const Surroundings& around = around_[part];
+  const auto of = static_cast<std::size_t> (around.plane);
+  if (around.of_plane == 0 || is_small_[of])
+    return false;
+  const PlaneMoments& plane = parts[of];
+  const Eigen::Vector3d normal = plane.inverseDistance().normalized();
+  return min_ratio * parts[part].points <= plane.points &&
+         Share{around.of_plane, around.of_planes}.isAtLeast (min_of_planes) &&
+         Share{around.of_plane, around.all}.isAtLeast (min_of_all) &&
+         Share{around.outside, around.all}.isAtLeast (min_outside) &&
+         parts[part].inverseDistance().normalized().dot (normal) >= min_cosine &&
+         parts[part].meanSquaredError (plane.inverseDistance()) <=
+             max_error * max_error &&
+         around.squared_errors <= max_error_beside * max_error_beside *
+                                      static_cast<double> (around.of_plane);
+}
+
+} // namespace rgbd_planes
+} // namespace pcl
