@@ -62,13 +62,16 @@ planeClass (const Eigen::Vector3d& normal,
 {
   if (!camera_to_base)
     return "unknown";
-  // As SupportedObjectExtraction takes planes for level, and ObstacleDetection floors for z = 0.
-  const double min_cosine = std::cos (0.26), max_floor_height = 0.05;
+  const ObstacleParameters floor;
+  const double min_cosine = std::cos (ObjectParameters().horizontal_tolerance);
   const Eigen::Vector3d up = camera_to_base->linear().row (2).cast<double>();
   const double rise = up.dot (normal);
   if (rise > min_cosine) {
     const double height = camera_to_base->translation().z() + up.dot (centroid);
-    return std::fabs (height) <= max_floor_height ? "floor" : "table";
+    return rise >= std::cos (floor.floor_angle) &&
+                   std::fabs (height) <= floor.floor_height
+               ? "floor"
+               : "table";
   }
   return rise < -min_cosine                                            ? "ceiling"
          : std::fabs (rise) < std::sqrt (1. - min_cosine * min_cosine) ? "wall"

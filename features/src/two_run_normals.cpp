@@ -4,6 +4,7 @@
 #include "organized_ball_search.h"
 #include "two_run_plane.h"
 
+#include <pcl/features/depth_noise.h>
 #include <pcl/features/threads.h>
 #include <pcl/features/two_run_normals.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -47,7 +48,8 @@ searchTree (const OrganizedPoints& surface)
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const float* p = surface[i];
     cloud->emplace_back (p[0], p[1], p[2]);
-    if (isMeasured (p))
+    // Farther ones overflow in FLANN.
+    if (isMeasured (p) && squaredRange (p) <= DepthNoise::max_squared_range)
       measured->push_back (static_cast<pcl::index_t> (i));
   }
   if (measured->empty())

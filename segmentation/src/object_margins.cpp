@@ -79,7 +79,7 @@ ObjectClusters::countLeak (std::uint32_t i,
   bool leaks = false, is_at_background = false;
   const auto lookAt = [&] (std::ptrdiff_t step) {
     const std::uint32_t j = nextPixel (points_, i, step);
-    if ((is_background_[j] || isOutside (j, support)) &&
+    if (isMeasured (points_[j]) && (is_background_[j] || isOutside (j, support)) &&
         limit.allows (points_[i], points_[j]))
       (is_background_[j] ? is_at_background : leaks) = true;
   };

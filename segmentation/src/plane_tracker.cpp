@@ -56,8 +56,10 @@ PlaneTracker::track (const std::vector<ModelCoefficients>& model_coefficients,
   if (!checkInput (model_coefficients, labels) || labels.empty())
     return;
   planes_.clear();
-  for (const auto& model : model_coefficients)
+  for (const auto& model : model_coefficients) {
     planes_.emplace_back (model.values.data());
+    planes_.back() /= planes_.back().head<3>().norm();
+  }
   ids.reserve (planes_.size());
   fit (labels.width, labels.height);
   countOverlaps (labels);
@@ -161,18 +163,22 @@ PlaneTracker::match()
     for (std::uint32_t p = 0; p < planes; ++p)
       if (const auto pixels = overlaps_[t * planes + p]) {
         Match match{static_cast<float> (pixels), t, p};
-        match.turn = turnOf (tracks_[t].plane, planes_[p]);
-        match.shift = shiftOf (tracks_[t].plane, planes_[p]);
+        const Eigen::Vector4f& track = tracks_[t].plane;
+        const bool is_turned = track.head<3>().dot (planes_[p].head<3>()) < 0.f;
+        const Eigen::Vector4f plane = is_turned ? -planes_[p] : planes_[p];
+        match.turn = turnOf (track, plane);
+        match.shift = shiftOf (track, plane);
         if (match.turn < max_turn && match.shift < max_shift)
           matches_.push_back (match);
       }
   std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
     return a.shift < b.shift;
   });
+  halves_.clear();
+  for (const Eigen::Vector4f& plane : planes_)
+    halves_.push_back (std::max (half_shift, half_ratio * leastShift (plane)));
   for (Match& match : matches_)
-    match.half = std::max (half_shift, half_ratio * leastShift (planes_[match.plane]));
-  for (Match& match : matches_)
-    match.score *= similarity (match.turn, match.shift, match.half);
+    match.score *= similarity (match.turn, match.shift, halves_[match.plane]);
   std::sort (matches_.begin(), matches_.end(), [] (const Match& a, const Match& b) {
     return a.score != b.score   ? a.score > b.score
            : a.track != b.track ? a.track < b.track

@@ -53,10 +53,12 @@ TEST (FrameSummary, HorizontalPlanesAreFloorOrTableByTheirPoints)
   Eigen::Affine3f pose = defaultCameraToBase();
   pose.translation().z() = 1.f;
   const Eigen::Vector3d level (0., -1., 0.),
+      slight (0., -std::cos (0.15), -std::sin (0.15)),
       ramp (0., -std::cos (0.2), -std::sin (0.2));
   EXPECT_EQ (planeClass (level, {0., 1.04, 2.}, pose), "floor");
   EXPECT_EQ (planeClass (level, {0., 0.94, 2.}, pose), "table");
-  EXPECT_EQ (planeClass (ramp, {0., 1.02, 2.}, pose), "floor");
+  EXPECT_EQ (planeClass (slight, {0., 1.02, 2.}, pose), "floor");
+  EXPECT_EQ (planeClass (ramp, {0., 1.02, 2.}, pose), "table");
   EXPECT_EQ (planeClass (ramp, {0., 1. - 2. * std::tan (0.2), 2.}, pose), "table");
   EXPECT_EQ (planeClass (-level, {0., -2., 2.}, pose), "ceiling");
   EXPECT_EQ (planeClass ({0., 0., -1.}, {0., 0., 2.}, pose), "wall");

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -51,6 +52,28 @@ TEST (TwoRunNormal, SearchSurface)
   ASSERT_EQ (normals.size(), few->size());
   for (std::size_t i = 0; i < normals.size(); ++i)
     EXPECT_TRUE (sameBits (normals[i], all[i * 50])) << i;
+}
+
+/** FLANN ended the process, where boxes of its tree overflowed. */
+TEST (TwoRunNormal, PointsAtTheEndOfFloatsHaveNoNormals)
+{
+  const Cloud::Ptr surface = makeHoles();
+  Cloud::Ptr cloud (new Cloud);
+  for (std::size_t i = 0; i < surface->size(); i += 50)
+    cloud->push_back ((*surface)[i]);
+  const std::size_t ordinary = cloud->size();
+  const Normals all = estimate<Estimation> (cloud);
+  constexpr float largest = std::numeric_limits<float>::max();
+  for (const float x : {largest, -largest, 3e38f, -2e38f})
+    for (int k = 0; k < 10; ++k)
+      cloud->push_back ({x, static_cast<float> (k), 1.f});
+  const Normals normals = estimate<Estimation> (cloud);
+  ASSERT_EQ (normals.size(), cloud->size());
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (i < ordinary)
+      EXPECT_TRUE (sameBits (normals[i], all[i])) << i;
+    else
+      EXPECT_TRUE (std::isnan (normals[i].normal_x)) << i;
 }
 
 /** They ended the process. */

@@ -80,7 +80,7 @@ TEST (BentEnds, ACornerThatIsBentIsOfItsPlane)
 
 TEST (BentEnds, WhatIsInTheMiddleOfAPlaneIsNoEnd)
 {
-  EXPECT_EQ (planesOf ({200, 200, 64, 80}, 3.f, 0.05f), two);
+  EXPECT_EQ (planesOf ({200, 200, 64, 80}, 2.f, 0.02f), two);
 }
 
 TEST (BentEnds, AThingBeforeTheEndOfAWallIsNoEnd)

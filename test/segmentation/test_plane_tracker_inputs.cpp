@@ -57,6 +57,19 @@ TEST (PlaneTrackerInputs, BadInputIsRefusedAndForgotten)
   EXPECT_EQ (track (tracker, row ({wall}, "aaaa")), (Ids{0}));
 }
 
+TEST (PlaneTrackerInputs, PlanesMayHaveAnySignAndLength)
+{
+  pcl::PlaneTracker tracker;
+  EXPECT_EQ (track (tracker, row ({wall, ground}, "aaaabbbb")), (Ids{0, 1}));
+  for (const float factor : {-1.f, 2.f, -0.5f}) {
+    Image image = row ({ground, wall}, "bbbbaaaa");
+    for (auto& model : image.models)
+      for (float& value : model.values)
+        value *= factor;
+    EXPECT_EQ (track (tracker, image), (Ids{1, 0})) << factor;
+  }
+}
+
 TEST (PlaneTrackerInputs, FramesOfAnotherSizeAreScaled)
 {
   pcl::PlaneTracker tracker;

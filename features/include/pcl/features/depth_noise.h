@@ -49,13 +49,15 @@ struct DepthNoise {
   static constexpr float max_ratio = 4.f;
   /** Nearer points, in metres^2, have no direction. */
   static constexpr float min_squared_range = 1e-12f;
+  /** The squares of further ones, in metres^2, are too large for sums of floats. */
+  static constexpr float max_squared_range = 1e18f;
 
   /** \brief Points further away, in metres^2, are not used; always less than the squares that
    * floats can hold. */
   float
   maxSquaredRange () const
   {
-    return std::min (max_range * max_range, 1e18f);
+    return std::min (max_range * max_range, max_squared_range);
   }
 
   /** \brief The standard deviation in metres at the square root of \a squared_range, in

@@ -130,7 +130,8 @@ public:
 
   /** \brief Clusters whose mean normals differ by less are merged; radians, more than 0
    * and at most pi / 4, default 0.2. With the noise of active stereo, by less than 1.6 times
-   * that: see DepthNoise::normal_scatter. */
+   * that: see DepthNoise::normal_scatter. What no plane took is clustered once more, with
+   * twice the angle. */
   void
   setAngularThreshold (double angular_threshold);
 

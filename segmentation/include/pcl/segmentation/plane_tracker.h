@@ -49,8 +49,8 @@ public:
   ~PlaneTracker() = default;
 
   /** \brief Takes the next frame.
-   * \param[in] model_coefficients a, b, c, d of each plane in the camera frame, metres; of unit
-   * length, facing the camera
+   * \param[in] model_coefficients a, b, c, d of each plane in the camera frame, metres; of any
+   * length and sign
    * \param[in] labels the plane of each pixel, organized as the frame; numbers beyond the
    * planes are pixels without one
    * \param[out] ids the identity of each plane, counted from 0 and never used for another one;
@@ -87,7 +87,6 @@ private:
     std::uint32_t track;
     std::uint32_t plane;
     float turn = 0.f, shift = 0.f;
-    float half = 0.f; // the shift that halves the weight
   };
 
   bool
@@ -130,6 +129,7 @@ private:
   /** Pixels that track t and plane p share at [t * number of planes + p]. */
   std::vector<std::uint32_t> overlaps_;
   std::vector<Match> matches_;
+  std::vector<float> halves_; // for each plane, the shift that halves the weight
 };
 
 } // namespace pcl
