@@ -94,6 +94,7 @@ private:
   removeOthers (PointCloud& output) const;
 
   Classes::ConstPtr classes_;
+  Indices kept_;
 };
 
 } // namespace pcl

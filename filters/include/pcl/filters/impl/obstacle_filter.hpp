@@ -70,15 +70,14 @@ template <typename PointT>
 void
 ObstacleFilter<PointT>::applyFilter (PointCloud& output)
 {
-  if (keep_organized_ || fake_indices_) {
+  if (keep_organized_) {
     FilterIndices<PointT>::applyFilter (output);
     if (!fake_indices_)
       removeOthers (output);
     return;
   }
-  Indices indices;
-  applyFilter (indices);
-  rgbd_planes::copyPoints (*input_, indices, output);
+  applyFilter (kept_);
+  rgbd_planes::copyPoints (*input_, kept_, output);
 }
 
 /** Points that were not asked for get the user filter value, as FilterIndices gives removed
