@@ -33,13 +33,10 @@ WholeThings::compute (const OrganizedPoints& points,
                         pieces_,
                         sets_);
   collect (pieces_, things_);
-  things_.erase (std::remove_if (things_.begin(),
-                                 things_.end(),
-                                 [] (const auto& thing) { return thing.is_part; }),
-                 things_.end());
 }
 
-/** What was joined is where the first of its pieces is, and begins where the lowest does. */
+/** What was joined is where the first of its pieces is, and begins where the lowest does. Parts
+ * of what is no object are left out. */
 void
 WholeThings::collect (const std::vector<ObjectCluster>& pieces,
                       std::vector<ObjectCluster>& things)
@@ -48,6 +45,8 @@ WholeThings::collect (const std::vector<ObjectCluster>& pieces,
   piece_of_.resize (pieces.size());
   for (std::uint32_t k = 0; k < pieces.size(); ++k) {
     const std::uint32_t root = sets_.root (k);
+    if (pieces[root].is_part)
+      continue;
     piece_of_[k] = root == k ? count++ : piece_of_[root];
     things.resize (std::max (things.size(), count));
     ObjectCluster& thing = things[piece_of_[k]];
@@ -55,7 +54,7 @@ WholeThings::collect (const std::vector<ObjectCluster>& pieces,
       thing.runs.clear();
       thing.support = pieces[k].support;
       thing.bottom = pieces[k].bottom;
-      thing.is_part = pieces[k].is_part;
+      thing.is_part = false;
     }
     thing.runs.insert (thing.runs.end(), pieces[k].runs.begin(), pieces[k].runs.end());
     thing.bottom = std::min (thing.bottom, pieces[k].bottom);
