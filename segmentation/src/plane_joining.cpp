@@ -45,14 +45,14 @@ constexpr double min_error_of_noisy = 1.35, min_between_of_noisy = 0.05;
 /** By how much the mean squared error of either part grows on a plane of both; not finite
  * where there is none. */
 double
-growth (const PlaneMoments& a, const PlaneMoments& b)
+growth (const FittedMoments& a, const FittedMoments& b)
 {
-  PlaneMoments both = a;
-  both += b;
+  PlaneMoments both = a.moments;
+  both += b.moments;
   const Eigen::Vector3d plane = both.inverseDistance();
-  const auto growthOf = [&plane] (const PlaneMoments& part) {
-    const double own = part.meanSquaredError (part.inverseDistance());
-    return part.meanSquaredError (plane) / std::max (own, min_error * min_error);
+  const auto growthOf = [&plane] (const FittedMoments& part) {
+    return part.moments.meanSquaredError (plane) /
+           std::max (part.squared_error, min_error * min_error);
   };
   return std::max (growthOf (a), growthOf (b));
 }
@@ -60,11 +60,11 @@ growth (const PlaneMoments& a, const PlaneMoments& b)
 /** How well it is known where the plane of a part meets the rays to another one. */
 class Certainty {
 public:
-  Certainty (const PlaneMoments& a, const PlaneMoments& b)
-  : of_points_ (static_cast<double> (b.points) / b.weight())
+  Certainty (const FittedMoments& a, const FittedMoments& b)
+  : of_points_ (static_cast<double> (b.moments.points) / b.moments.weight())
   {
-    const Eigen::Vector3d mean = b.mean();
-    variance_ = mean.dot (a.second().inverse() * mean);
+    const Eigen::Vector3d mean = b.moments.mean();
+    variance_ = mean.dot (a.inverse_of_second * mean);
   }
 
   /** To so many standard deviations. */
@@ -89,13 +89,12 @@ private:
 /** Whether both may be of one surface that the error of depth bends, which has no step
  * between them: that is in front from one side and behind from the other. */
 bool
-bends (const PlaneMoments& larger,
-       const PlaneMoments& smaller,
+bends (const FittedMoments& larger,
+       const FittedMoments& smaller,
        const Certainty& at_smaller,
        double offset)
 {
-  const Eigen::Vector3d plane = larger.inverseDistance(),
-                        other = smaller.inverseDistance();
+  const Eigen::Vector3d &plane = larger.plane, &other = smaller.plane;
   if (plane.dot (other) < min_bent_cosine * plane.norm() * other.norm())
     return false;
   const Certainty at_larger (smaller, larger);
@@ -104,16 +103,15 @@ bends (const PlaneMoments& larger,
   if (!at_smaller.isEnough (max_bent_uncertainty) ||
       !at_larger.isEnough (max_bent_uncertainty_back))
     return false;
-  const double back = larger.meanError (other);
+  const double back = larger.moments.meanError (other);
   return std::abs (back) <= max_offset || (back > 0.) == (offset > 0.);
 }
 
 /** Whether errors are so much larger than the model says that a plane does not take all. */
 bool
-isNoisy (const PlaneMoments& points)
+isNoisy (const FittedMoments& points)
 {
-  return points.meanSquaredError (points.inverseDistance()) >=
-         min_error_of_noisy * min_error_of_noisy;
+  return points.squared_error >= min_error_of_noisy * min_error_of_noisy;
 }
 
 /** The side of the square as wide as the points, across where they reach farthest. */
@@ -128,12 +126,12 @@ widthOf (const PlaneMoments& points)
 /** 0 where the smaller part lies perfectly on the plane of the larger one, up to 1 where it may
  * be of that. */
 double
-mismatchOf (const PlaneMoments& larger, const PlaneMoments& smaller)
+mismatchOf (const FittedMoments& larger, const FittedMoments& smaller)
 {
   const Certainty at_smaller (larger, smaller);
   if (!at_smaller.isEnough (max_uncertainty))
     return 2.;
-  const double offset = smaller.meanError (larger.inverseDistance());
+  const double offset = smaller.moments.meanError (larger.plane);
   const double offset_limit =
       bends (larger, smaller, at_smaller, offset) ? max_bent_offset : max_offset;
   if (!(std::abs (offset) <= offset_limit))
@@ -144,12 +142,19 @@ mismatchOf (const PlaneMoments& larger, const PlaneMoments& smaller)
 
 } // namespace
 
+FittedMoments::FittedMoments (const PlaneMoments& of)
+: moments (of)
+, inverse_of_second (of.second().inverse())
+, plane (inverse_of_second * of.first())
+, squared_error (of.meanSquaredError (plane))
+{}
+
 void
 PlaneJoining::compute (const std::vector<PlaneMoments>& parts, bool join_parts)
 {
   const auto joinOnce = [&] (const std::vector<PlaneMoments>& now) {
     join (now, [&] (std::size_t plane, std::size_t part) {
-      return join_parts ? mismatchOf (planes_[plane], now[part]) : 2.;
+      return join_parts ? mismatchOf (fitted_planes_[plane], fitted_parts_[part]) : 2.;
     });
   };
   joinOnce (parts);
@@ -178,7 +183,7 @@ PlaneJoining::computeSides (const std::vector<PlaneMoments>& parts,
   join (parts, [&] (std::size_t plane, std::size_t part) {
     return are_sides[part] && hasSide (plane)
                ? 2.
-               : mismatchOf (planes_[plane], parts[part]);
+               : mismatchOf (fitted_planes_[plane], fitted_parts_[part]);
   });
 }
 
@@ -188,9 +193,10 @@ PlaneJoining::computeStrips (const std::vector<PlaneMoments>& parts)
   widths_.resize (parts.size());
   std::transform (parts.begin(), parts.end(), widths_.begin(), widthOf);
   join (parts, [&] (std::size_t plane, std::size_t part) {
-    const PlaneMoments &a = planes_[plane], &b = parts[part];
-    const double apart = (a.mean() - b.mean()).norm() / min_widths_apart;
-    if (!(apart >= widths_[part] && apart >= widthOf (a)))
+    const FittedMoments &a = fitted_planes_[plane], &b = fitted_parts_[part];
+    const double apart =
+        (a.moments.mean() - b.moments.mean()).norm() / min_widths_apart;
+    if (!(apart >= widths_[part] && apart >= widthOf (a.moments)))
       return 2.;
     return growth (a, b) / (max_strip_growth * max_strip_growth);
   });
@@ -213,9 +219,10 @@ PlaneJoining::computeAlternating (const std::vector<PlaneMoments>& parts,
     const double between = static_cast<double> (std::min (in_row, in_column)) /
                            static_cast<double> (parts[part].points);
     if (between < min_between_of_noisy ||
-        (between < min_between && !(isNoisy (planes_[plane]) && isNoisy (parts[part]))))
+        (between < min_between &&
+         !(isNoisy (fitted_planes_[plane]) && isNoisy (fitted_parts_[part]))))
       return 2.;
-    return parts[part].meanSquaredError (planes_[plane].inverseDistance()) /
+    return parts[part].meanSquaredError (fitted_planes_[plane].plane) /
            (max_error_of_alternate * max_error_of_alternate);
   });
 }
@@ -244,7 +251,6 @@ PlaneJoining::findBetween (const std::vector<TilePart>& tile_parts)
   std::sort (between_.begin(), between_.end(), byPart);
 }
 
-/** Joins parts where \a mismatch (plane, part) is 0 for a perfect match, up to 1. */
 template <typename Mismatch>
 void
 PlaneJoining::join (const std::vector<PlaneMoments>& parts, const Mismatch& mismatch)
@@ -255,6 +261,10 @@ PlaneJoining::join (const std::vector<PlaneMoments>& parts, const Mismatch& mism
     return parts[a].points != parts[b].points ? parts[a].points > parts[b].points
                                               : a < b;
   });
+  fitted_parts_.clear();
+  for (const PlaneMoments& part : parts)
+    fitted_parts_.emplace_back (part);
+  fitted_planes_.clear();
   planes_.clear();
   plane_of_part_.assign (parts.size(), -1);
   for (const std::size_t part : order_) {
@@ -268,10 +278,14 @@ PlaneJoining::join (const std::vector<PlaneMoments>& parts, const Mismatch& mism
       }
     }
     plane_of_part_[part] = static_cast<std::int32_t> (best);
-    if (best == planes_.size())
+    if (best == planes_.size()) {
       planes_.push_back (parts[part]);
-    else
+      fitted_planes_.push_back (fitted_parts_[part]);
+    }
+    else {
       planes_[best] += parts[part];
+      fitted_planes_[best] = FittedMoments (planes_[best]);
+    }
   }
 }
 

@@ -7,12 +7,24 @@
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/tile_parts.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
+
+/** \brief Moments with what joining needs of them again and again. */
+struct FittedMoments {
+  explicit FittedMoments (const PlaneMoments& of);
+
+  PlaneMoments moments;
+  Eigen::Matrix3d inverse_of_second;
+  Eigen::Vector3d plane; // its inverse distance
+  double squared_error;  // of the points, in the mean
+};
 
 /** \brief Joins parts that lie on one plane: its unconnected parts (Holz et al. 2011,
  * section 4.1), and those that were grown apart.
@@ -83,11 +95,13 @@ private:
   void
   findBetween (const std::vector<TilePart>& tile_parts);
 
+  /** \brief Joins parts where \a mismatch (plane, part) is 0 for a perfect match, up to 1. */
   template <typename Mismatch>
   void
   join (const std::vector<PlaneMoments>& parts, const Mismatch& mismatch);
 
   std::vector<std::size_t> order_;
+  std::vector<FittedMoments> fitted_parts_, fitted_planes_;
   std::vector<PlaneMoments> planes_;
   std::vector<std::int32_t> plane_of_part_;
   /** What was joined before. */
