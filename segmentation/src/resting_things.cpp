@@ -55,6 +55,7 @@ RestingThings::find (const OrganizedPoints& points,
   points_ = points;
   pixel_angle_ = pixel_angle;
   occlusions_ = &occlusions;
+  supports_ = &supports;
   parameters_ = parameters;
   thing_of_ = &thing_of;
   things_ = &things;
@@ -107,6 +108,15 @@ RestingThings::minLow (const Extent& extent) const
 {
   return std::max (min_heights * parameters_.min_object_height,
                    min_sigmas * extent.sigma);
+}
+
+bool
+RestingThings::isOnSupport (const float* point) const
+{
+  return std::any_of (supports_->begin(), supports_->end(), [&] (const auto& support) {
+    return mayBeOnPlane (
+        point, support.plane, support.plane.distance (point), parameters_);
+  });
 }
 
 RestingThings::LowerEnd
@@ -169,7 +179,8 @@ RestingThings::lookBelow (std::uint32_t lowest,
         is_low && under > pixels * pixel_angle_ * range + max_side_slope * drop;
   }
   else if (to.norm() >= range - limit && other == things_->size())
-    end.on_no_thing += support.plane.distance (to.data()) > minLow (extent);
+    end.on_no_thing += support.plane.distance (to.data()) > minLow (extent) &&
+                       !isOnSupport (to.data());
   else if (to.norm() >= range - limit) {
     ++end.touching;
     if (std::find (touched_.begin(), touched_.end(), other) == touched_.end())

@@ -48,7 +48,7 @@ private:
     std::size_t lines = 0;
     /** Another thing that is next to it. */
     std::size_t touching = 0;
-    /** Something that is next to it, well above the plane, and of no thing. */
+    /** Something that is next to it, well above the plane, and of no thing or support. */
     std::size_t on_no_thing = 0;
     /** Something farther, and it does not end higher than elsewhere. */
     std::size_t farther = 0;
@@ -68,6 +68,9 @@ private:
   /** \brief What is no lower than this above its plane may rest on something else. */
   float
   minLow (const Extent& extent) const;
+
+  bool
+  isOnSupport (const float* point) const;
 
   Extent
   extentOf (const ObjectCluster& thing, const SupportPlane& support);
@@ -101,6 +104,7 @@ private:
   OrganizedPoints points_;
   float pixel_angle_ = 0.f;
   const OcclusionSteps* occlusions_ = nullptr;
+  const std::vector<SupportPlane>* supports_ = nullptr;
   ObjectParameters parameters_;
   const std::vector<std::size_t>* thing_of_ = nullptr;
   const std::vector<ObjectCluster>* things_ = nullptr;
