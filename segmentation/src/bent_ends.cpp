@@ -101,18 +101,19 @@ BentEnds::lookAround (const PlaneSamples& samples,
         // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
         if (around.votes == 0)
           around.plane = beside;
-        around.votes += beside == around.plane ? 1 : std::size_t (-1);
+        around.votes += beside == around.plane ? 1 : -1;
       });
+  for (Surroundings& around : around_)
+    if (around.plane != none)
+      around.inverse_distance =
+          parts[static_cast<std::size_t> (around.plane)].inverseDistance();
   visitSurroundings (
       samples, owners, is_small_, [&] (std::int32_t beside, std::size_t i) {
         Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
         if (beside < 0 || beside != around.plane)
           return;
-        const double inverse_range =
-            parts[static_cast<std::size_t> (beside)].inverseDistance().dot (
-                Eigen::Vector3f (samples.x[i], samples.y[i], samples.z[i])
-                    .cast<double>());
-        const double error = 1. - inverse_range;
+        const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
+        const double error = 1. - around.inverse_distance.dot (p.cast<double>());
         around.squared_errors +=
             error * error * static_cast<double> (samples.weight[i]);
         ++around.of_plane;
@@ -123,17 +124,16 @@ bool
 BentEnds::isEnd (std::size_t part, const std::vector<PlaneMoments>& parts) const
 {
   const Surroundings& around = around_[part];
-  const auto of = static_cast<std::size_t> (around.plane);
-  if (around.of_plane == 0 || is_small_[of])
+  const auto plane = static_cast<std::size_t> (around.plane);
+  if (around.of_plane == 0 || is_small_[plane])
     return false;
-  const PlaneMoments& plane = parts[of];
-  const Eigen::Vector3d normal = plane.inverseDistance().normalized();
-  return min_ratio * parts[part].points <= plane.points &&
+  const Eigen::Vector3d normal = around.inverse_distance.normalized();
+  return min_ratio * parts[part].points <= parts[plane].points &&
          Share{around.of_plane, around.of_planes}.isAtLeast (min_of_planes) &&
          Share{around.of_plane, around.all}.isAtLeast (min_of_all) &&
          Share{around.outside, around.all}.isAtLeast (min_outside) &&
          parts[part].inverseDistance().normalized().dot (normal) >= min_cosine &&
-         parts[part].meanSquaredError (plane.inverseDistance()) <=
+         parts[part].meanSquaredError (around.inverse_distance) <=
              max_error * max_error &&
          around.squared_errors <= max_error_beside * max_error_beside *
                                       static_cast<double> (around.of_plane);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "flat_vectors.h"
 #include "point_sample.h"
 
 #include <pcl/segmentation/ground_rectangle.h>
@@ -26,11 +27,6 @@ constexpr std::size_t every_third = 3;
 /** Points so near to a side, and by so many metres, are as close to it as can be told. */
 constexpr float near_sigmas = 0.5f;
 constexpr float near_m = 0.002f;
-float
-cross (const Vector2f& a, const Vector2f& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** \return the area of the rectangle around a hull along one of its sides */
 float
@@ -92,13 +88,13 @@ GroundRectangle::find (const std::vector<Vector2f>& points,
   if (rectangles_.size() == 1)
     return rectangles_.front().along;
   const float near = near_sigmas * sigma + near_m;
-  const Rectangle* best = &rectangles_.front();
+  auto best = rectangles_.begin();
   float closest = clearly_closer * closenessOf (*best, points, near);
-  for (const Rectangle& rectangle : rectangles_) {
-    const float closeness = closenessOf (rectangle, points, near);
+  for (auto other = best + 1; other != rectangles_.end(); ++other) {
+    const float closeness = closenessOf (*other, points, near);
     if (closeness > closest) {
       closest = closeness;
-      best = &rectangle;
+      best = other;
     }
   }
   return best->along;
@@ -141,7 +137,7 @@ GroundRectangle::closenessOf (const Rectangle& rectangle,
                               float near)
 {
   const Vector2f& along = rectangle.along;
-  const CoordinateRange y = rangeAlong ({-along.y(), along.x()}, points, every_third);
+  const CoordinateRange y = rangeAlong (turned (along), points, every_third);
   across_.swap (coordinates_);
   const CoordinateRange x = rangeAlong (along, points, every_third);
   float closeness = 0.f;

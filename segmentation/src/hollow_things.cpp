@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "flat_vectors.h"
+
 #include <pcl/segmentation/hollow_things.h>
 
 #include <algorithm>
@@ -120,7 +122,7 @@ HollowThings::isFoot (Steps first, Steps last)
   const Vector2f right = support_->project (points_[ends[1]]);
   const Vector2f center = 0.5f * (left + right), across = right - left;
   const float radius = 0.5f * across.norm();
-  Vector2f away = Vector2f (-across.y(), across.x()).normalized();
+  Vector2f away = turned (across).normalized();
   away *= away.dot (center) > 0.f ? 1.f : -1.f;
   const auto bulgeOf = [&] (const OcclusionStep& step) {
     return away.dot (support_->project (points_[step.lowest]) - center);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "flat_vectors.h"
 #include "link_kernels.h"
 #include "point_sample.h"
 
@@ -28,19 +29,6 @@ constexpr float front_sigmas = 5.f;
 /** So many points at least are of a face that is seen, and so many of a top. */
 constexpr float min_front_part = 0.05f;
 constexpr std::size_t min_top_points = 20;
-
-float
-cross (const Eigen::Vector2f& a, const Eigen::Vector2f& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/** By 90 degrees, from x to y. */
-Eigen::Vector2f
-turned (const Eigen::Vector2f& a)
-{
-  return {-a.y(), a.x()};
-}
 
 /** The mean of some values. */
 struct Mean {

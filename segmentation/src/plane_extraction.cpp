@@ -191,16 +191,16 @@ PlaneExtraction::growParts()
 void
 PlaneExtraction::joinParts()
 {
-  const auto giveIfJoined = [this] {
-    if (joining_.planes().size() < moments_.size())
-      giveTo (joining_.planes(), joining_.planeOfPart());
+  const auto giveIfJoined = [this] (const auto& joined) {
+    if (joined.planes().size() < moments_.size())
+      giveTo (joined.planes(), joined.planeOfPart());
   };
   joining_.compute (growth_.moments(), parameters_.additions.joining);
   owners_ = growth_.owners();
   giveTo (joining_.planes(), joining_.planeOfPart());
   if (parameters_.additions.joining) {
     joining_.computeAlternating (moments_, parts_);
-    giveIfJoined();
+    giveIfJoined (joining_);
   }
   if (parameters_.additions.steps) {
     const double min_side =
@@ -213,17 +213,16 @@ PlaneExtraction::joinParts()
                     moments_);
     if (parameters_.additions.joining) {
       joining_.computeSides (moments_, steps_.areSides());
-      giveIfJoined();
+      giveIfJoined (joining_);
     }
   }
   if (parameters_.additions.strips) {
     joining_.computeStrips (moments_);
-    giveIfJoined();
+    giveIfJoined (joining_);
   }
   if (parameters_.additions.joining) {
     ends_.find (samples_, owners_, moments_);
-    if (ends_.planes().size() < moments_.size())
-      giveTo (ends_.planes(), ends_.planeOfPart());
+    giveIfJoined (ends_);
   }
   planes_.clear();
   for (const PlaneMoments& moments : moments_)

@@ -189,10 +189,23 @@ objectsOfPost (const View& view, bool split)
   std::size_t count = 0;
   float height = 0.f;
   for (const auto& object : extract (extraction, view))
-    if (iou (object, view, 2) > 0.1 || iou (object, view, 3) > 0.1) {
+    if (iou (object, view, 2) > 0.1 || iou (object, view, 3) > 0.1)
       height = count++ == 0 ? object.box_size.z() : height;
-    }
   return {count, height};
+}
+
+View
+lookAtPost (const Box& post, const Box& head, float noise, float roll = 0.f)
+{
+  return look ({floor_slab, table, post, head}, {1.1f, 0.35f, roll, 640, 480}, noise);
+}
+
+void
+expectApart (const Box& post, const Box& head, bool split)
+{
+  for (const float noise : {0.f, 1.f})
+    EXPECT_EQ (objectsOfPost (lookAtPost (post, head, noise), split).first, 2u)
+        << noise;
 }
 
 } // namespace
@@ -204,9 +217,7 @@ TEST (RestingThings, WhatAThinPostHoldsIsOneThingWithIt)
   for (const float roll : {0.f, 1.5f, 3.1f})
     for (const float noise : {0.f, 1.f})
       for (const bool split : {false, true}) {
-        const View view = look (
-            {floor_slab, table, post, head}, {1.1f, 0.35f, roll, 640, 480}, noise);
-        const auto found = objectsOfPost (view, split);
+        const auto found = objectsOfPost (lookAtPost (post, head, noise, roll), split);
         EXPECT_EQ (found.first, 1u) << roll << ' ' << noise << ' ' << split;
         EXPECT_NEAR (found.second, 0.2f, 0.012f)
             << roll << ' ' << noise << ' ' << split;
@@ -217,22 +228,14 @@ TEST (RestingThings, WhatAWidePostHoldsIsAThingOfItsOwn)
 {
   const Box post = onTable (1.1f, 0.f, {0.04f, 0.05f, 0.12f});
   const Box head = raised (onTable (1.1f, 0.f, {0.1f, 0.16f, 0.08f}), 0.12f);
-  for (const float noise : {0.f, 1.f}) {
-    const View view =
-        look ({floor_slab, table, post, head}, {1.1f, 0.35f, 0.f, 640, 480}, noise);
-    EXPECT_EQ (objectsOfPost (view, true).first, 2u) << noise;
-  }
+  expectApart (post, head, true);
 }
 
 TEST (RestingThings, WhatStandsFartherThanAThingInMidAirDoesNotHoldIt)
 {
   const Box pen = onTable (1.25f, 0.f, {0.012f, 0.012f, 0.14f});
   const Box head = raised (onTable (1.1f, 0.f, {0.1f, 0.12f, 0.08f}), 0.12f);
-  for (const float noise : {0.f, 1.f}) {
-    const View view =
-        look ({floor_slab, table, pen, head}, {1.1f, 0.35f, 0.f, 640, 480}, noise);
-    EXPECT_EQ (objectsOfPost (view, false).first, 2u) << noise;
-  }
+  expectApart (pen, head, false);
 }
 
 // Steps of depth and pixels without it cut pieces out of large things.

@@ -7,6 +7,8 @@
 #include <pcl/segmentation/plane_moments.h>
 #include <pcl/segmentation/plane_samples.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -53,7 +55,8 @@ private:
     std::size_t of_planes = 0;
     /** The plane that most of these are of, if one is. */
     std::int32_t plane = -1;
-    std::size_t votes = 0;
+    int votes = 0;
+    Eigen::Vector3d inverse_distance = Eigen::Vector3d::Zero(); // of that plane
     std::size_t of_plane = 0;
     /** How far the samples beside it are off that plane, in variances. */
     double squared_errors = 0.;

@@ -119,8 +119,8 @@ public:
    * either it is tilted against it by less than 5 degrees, and less than 1.75 standard
    * deviations of depth above or below, in the weighted mean of where its points are, or
    * less than 2.7 if these are at least a quarter as many as those of the floor or there is
-   * clearly no step, or they do not meet and both are less than 1.75 from z = 0 of the base frame; or it is tilted
-   * by less than 26 degrees and does not differ. */
+   * clearly no step, or they do not meet and both are less than 1.75 from z = 0 of the base
+   * frame; or it is tilted by less than 26 degrees and does not differ. */
   bool
   isPart (std::uint32_t plane) const
   {
