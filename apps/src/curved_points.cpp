@@ -4,7 +4,7 @@
 #include <pcl/apps/curved_points.h>
 #include <pcl/apps/statistics.h>
 #include <pcl/common/point_tests.h>
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/frame_grabber.h>
 #include <pcl/apps/frame_slot.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 
 #include <limits>
 #include <utility>

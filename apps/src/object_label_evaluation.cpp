@@ -3,7 +3,7 @@
 
 #include <pcl/apps/object_label_evaluation.h>
 #include <pcl/apps/statistics.h>
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 
 #include <algorithm>
 #include <limits>

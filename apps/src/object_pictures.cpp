@@ -67,7 +67,7 @@ private:
 Picture
 objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
                 const std::vector<ObjectSummary>& objects,
-                const std::vector<SupportPlane>& supports)
+                const std::vector<pcl::SupportPlane>& supports)
 {
   Picture picture = depthPicture (cloud);
   for (auto& pixel : picture) {
@@ -81,9 +81,8 @@ objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
   LineDrawer lines (fitCamera (cloud), picture);
   for (const auto& support : supports)
     if (!support.is_on_object)
-      lines.draw (hullLine (support,
-                            cloud.sensor_origin_.head<3>(),
-                            planeColour (static_cast<std::uint32_t> (support.index))));
+      lines.draw (
+          hullLine (support, planeColour (static_cast<std::uint32_t> (support.index))));
   for (const auto& summary : objects)
     for (const auto& edge : boxLines (summary.object))
       lines.draw (edge);

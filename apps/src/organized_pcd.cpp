@@ -5,7 +5,7 @@
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/pcd_file.h>
 #include <pcl/apps/point_labels.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 
 #include <cstring>
 #include <limits>

@@ -10,7 +10,7 @@
 #include <pcl/apps/output_files.h>
 #include <pcl/apps/parse_number.h>
 #include <pcl/apps/pictures.h>
-#include <pcl/segmentation/plane_extraction.h>
+#include <pcl/segmentation/impl/plane_extraction.h>
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 

@@ -5,8 +5,8 @@
 #include <pcl/apps/statistics.h>
 #include <pcl/features/depth_noise.h>
 #include <pcl/filters/project_onto_planes.h>
-#include <pcl/segmentation/label_runs.h>
-#include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/impl/label_runs.h>
+#include <pcl/segmentation/impl/plane_moments.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <pcl/apps/min_points.h>
 #include <pcl/apps/plane_truth.h>
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 #include <pcl/simulation/subsample.h>
 
 #include <map>

@@ -3,7 +3,7 @@
 
 #include <pcl/apps/point_labels.h>
 #include <pcl/common/centroid.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 #include <pcl/type_traits.h>
 
 #include <Eigen/Eigenvalues>

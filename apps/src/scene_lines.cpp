@@ -25,13 +25,9 @@ boxLines (const pcl::SupportedObject& object)
 }
 
 ColouredLine
-hullLine (const SupportPlane& support,
-          const Eigen::Vector3f& sensor,
-          const pcl::RGB& colour)
+hullLine (const pcl::SupportPlane& support, const pcl::RGB& colour)
 {
-  ColouredLine line{colour, {}};
-  for (const auto& corner : support.outline.corners())
-    line.points.push_back (sensor + support.unproject (corner));
+  ColouredLine line{colour, support.hull};
   if (!line.points.empty())
     line.points.push_back (line.points.front());
   return line;

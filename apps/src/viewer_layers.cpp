@@ -5,8 +5,8 @@
 #include <pcl/apps/obstacle_pictures.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/apps/viewer_layers.h>
-#include <pcl/segmentation/connected_parts.h>
-#include <pcl/segmentation/region_contour.h>
+#include <pcl/segmentation/impl/connected_parts.h>
+#include <pcl/segmentation/impl/region_contour.h>
 
 #include <Eigen/Geometry>
 
@@ -136,9 +136,7 @@ addObjects (const ViewerFrame& frame, std::vector<ColouredLine>& lines)
 {
   for (const auto& support : frame.segmenter().supportPlanes())
     if (!support.is_on_object)
-      lines.push_back (hullLine (support,
-                                 frame.cloud().sensor_origin_.head<3>(),
-                                 planeColour (frame.ids()[support.index])));
+      lines.push_back (hullLine (support, planeColour (frame.ids()[support.index])));
   for (const auto& summary : frame.summary().objects)
     for (auto& edge : boxLines (summary.object))
       lines.push_back (std::move (edge));

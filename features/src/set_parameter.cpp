@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/console/print.h>
-#include <pcl/features/set_parameter.h>
+#include <pcl/features/impl/set_parameter.h>
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/features/tangent_normals.h>
+#include <pcl/features/impl/tangent_normals.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "tangent_rows.h"
 
-#include <pcl/features/tangent_normals.h>
-#include <pcl/features/tangent_row_pipeline.h>
+#include <pcl/features/impl/tangent_normals.h>
+#include <pcl/features/impl/tangent_row_pipeline.h>
 
 #include <algorithm>
 #include <cstring>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/features/row_ring.h>
-#include <pcl/features/tangent_row_pipeline.h>
+#include <pcl/features/impl/row_ring.h>
+#include <pcl/features/impl/tangent_row_pipeline.h>
 
 #include <array>
 #include <cstddef>

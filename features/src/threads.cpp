@@ -3,7 +3,7 @@
 
 #include <omp.h>
 
-#include <pcl/features/threads.h>
+#include <pcl/features/impl/threads.h>
 
 #include <algorithm>
 

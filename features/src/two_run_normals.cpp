@@ -5,8 +5,8 @@
 #include "two_run_plane.h"
 
 #include <pcl/features/depth_noise.h>
-#include <pcl/features/threads.h>
-#include <pcl/features/two_run_normals.h>
+#include <pcl/features/impl/threads.h>
+#include <pcl/features/impl/two_run_normals.h>
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 

@@ -12,7 +12,7 @@
 
 #include <hwy/highway.h>
 
-#include <pcl/features/row_ring.h>
+#include <pcl/features/impl/row_ring.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/filters/depth_warp.h>
+#include <pcl/filters/impl/depth_warp.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

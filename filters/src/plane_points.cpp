@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/filters/plane_points.h>
+#include <pcl/filters/impl/plane_points.h>
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/attached_parts.h>
+#include <pcl/segmentation/impl/attached_parts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ AttachedParts::find (const OrganizedPoints& points,
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     if (min_ratio * sizes_[k] > largest)
       continue;
-    const SupportPlane& support = supports.planes()[clusters[k].support];
+    const SupportSurface& support = supports.planes()[clusters[k].support];
     findContacts (clusters[k], support);
     std::size_t other = 0, most = 0; // the first one of those with the most contacts
     for (const Contact& contact : contacts_) {
@@ -96,7 +96,8 @@ AttachedParts::find (const OrganizedPoints& points,
 }
 
 void
-AttachedParts::findContacts (const ObjectCluster& cluster, const SupportPlane& support)
+AttachedParts::findContacts (const ObjectCluster& cluster,
+                             const SupportSurface& support)
 {
   contacts_.clear();
   const std::size_t pixels = occlusions_->maxGap() + 1;
@@ -129,7 +130,7 @@ AttachedParts::isSteep()
 /** Whether the cluster neither stands on its plane nor rests on the other one. */
 bool
 AttachedParts::isPart (const ObjectCluster& cluster,
-                       const SupportPlane& support,
+                       const SupportSurface& support,
                        std::size_t other,
                        const ObjectParameters& parameters)
 {

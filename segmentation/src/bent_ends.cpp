@@ -3,7 +3,7 @@
 
 #include "plane_levels.h"
 
-#include <pcl/segmentation/bent_ends.h>
+#include <pcl/segmentation/impl/bent_ends.h>
 
 #include <algorithm>
 #include <array>

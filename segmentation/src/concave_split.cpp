@@ -5,7 +5,7 @@
 #include "plane_levels.h"
 #include <hwy/cache_control.h>
 
-#include <pcl/segmentation/concave_split.h>
+#include <pcl/segmentation/impl/concave_split.h>
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ ConcaveSplit::compute (const OrganizedPoints& points,
                        const OrganizedNormals& normals,
                        float pixel_angle,
                        const std::vector<SegmentedPlane>& planes,
-                       const std::vector<SupportPlane>& supports,
+                       const std::vector<SupportSurface>& supports,
                        const ObjectParameters& parameters,
                        const std::vector<ObjectCluster>& clusters)
 {
@@ -207,7 +207,7 @@ ConcaveSplit::countPlanePoints (const pcl::Indices& inliers)
 void
 ConcaveSplit::settle (const OrganizedPoints& points,
                       const std::vector<SegmentedPlane>& planes,
-                      const std::vector<SupportPlane>& supports)
+                      const std::vector<SupportSurface>& supports)
 {
   constexpr double few = 0.2;
   for (std::size_t k = supports.size(); k-- > 0;) { // the highest one counts

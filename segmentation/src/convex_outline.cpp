@@ -3,7 +3,7 @@
 
 #include "hull_kernels.h"
 
-#include <pcl/segmentation/convex_outline.h>
+#include <pcl/segmentation/impl/convex_outline.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "surface_turn.h"
 #include "tile_bits.h"
 
-#include <pcl/segmentation/curved_patches.h>
+#include <pcl/segmentation/impl/curved_patches.h>
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/concave_split.h>
+#include <pcl/segmentation/impl/concave_split.h>
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/segmentation/depth_noise_estimation.h>
-#include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/impl/plane_moments.h>
 
 #include <Eigen/Dense>
 

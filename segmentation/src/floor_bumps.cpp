@@ -3,9 +3,9 @@
 
 #include "obstacle_kernels.h"
 
-#include <pcl/segmentation/floor_bumps.h>
-#include <pcl/segmentation/floor_plane.h>
-#include <pcl/segmentation/pixel_lines.h>
+#include <pcl/segmentation/impl/floor_bumps.h>
+#include <pcl/segmentation/impl/floor_plane.h>
+#include <pcl/segmentation/impl/pixel_lines.h>
 
 #include <algorithm>
 #include <cmath>

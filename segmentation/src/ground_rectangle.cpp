@@ -4,7 +4,7 @@
 #include "flat_vectors.h"
 #include "point_sample.h"
 
-#include <pcl/segmentation/ground_rectangle.h>
+#include <pcl/segmentation/impl/ground_rectangle.h>
 
 #include <array>
 #include <limits>

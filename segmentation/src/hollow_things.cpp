@@ -3,7 +3,7 @@
 
 #include "flat_vectors.h"
 
-#include <pcl/segmentation/hollow_things.h>
+#include <pcl/segmentation/impl/hollow_things.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ void
 HollowThings::find (const OrganizedPoints& points,
                     float pixel_angle,
                     const OcclusionSteps& occlusions,
-                    const std::vector<SupportPlane>& supports,
+                    const std::vector<SupportSurface>& supports,
                     const std::vector<ObjectCluster>& clusters,
                     DisjointSets& sets)
 {

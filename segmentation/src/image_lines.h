@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/features/organized_view.h>
-#include <pcl/segmentation/image_margins.h>
+#include <pcl/features/impl/organized_view.h>
+#include <pcl/segmentation/impl/image_margins.h>
 
 namespace pcl {
 namespace rgbd_planes {

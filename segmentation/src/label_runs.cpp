@@ -3,7 +3,7 @@
 
 #include "plane_kernels.h"
 
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/features/depth_noise.h>
-#include <pcl/segmentation/point_row.h>
+#include <pcl/segmentation/impl/point_row.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 
 #include "each_bit.h"
 
-#include <pcl/segmentation/linked_runs.h>
+#include <pcl/segmentation/impl/linked_runs.h>
 
 namespace pcl {
 namespace rgbd_planes {

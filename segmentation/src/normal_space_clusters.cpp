@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/normal_space_clusters.h>
+#include <pcl/segmentation/impl/normal_space_clusters.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "link_kernels.h"
 #include "plane_levels.h"
 
-#include <pcl/segmentation/object_clusters.h>
+#include <pcl/segmentation/impl/object_clusters.h>
 
 #include <algorithm>
 #include <utility>
@@ -38,8 +38,8 @@ ObjectClusters::joinAcrossBases (const LinkLimit& limit)
       std::swap (higher, lower);
     runsOf (higher, on_higher_);
     runsOf (lower, on_lower_);
-    const SupportPlane &high_base = *bases_[placeOf (higher) - std::size_t{above}],
-                       &low_base = *bases_[placeOf (lower) - std::size_t{above}];
+    const SupportSurface &high_base = *bases_[placeOf (higher) - std::size_t{above}],
+                         &low_base = *bases_[placeOf (lower) - std::size_t{above}];
     if (standsBeside (on_higher_, on_lower_, high_base, low_base))
       moveTo (on_higher_, placeOf (lower));
     else if (isOver (on_lower_, high_base))
@@ -99,7 +99,7 @@ ObjectClusters::moveTo (const std::vector<PointRun>& thing, std::uint8_t place)
 /** Whether a thing beside a plane is nowhere lower than that, as what sticks out. */
 bool
 ObjectClusters::isOver (const std::vector<PointRun>& thing,
-                        const SupportPlane& base) const
+                        const SupportSurface& base) const
 {
   return shareOf (points_,
                   thing,
@@ -117,8 +117,8 @@ ObjectClusters::isOver (const std::vector<PointRun>& thing,
 bool
 ObjectClusters::standsBeside (const std::vector<PointRun>& on_higher,
                               const std::vector<PointRun>& on_lower,
-                              const SupportPlane& higher,
-                              const SupportPlane& lower) const
+                              const SupportSurface& higher,
+                              const SupportSurface& lower) const
 {
   const auto isInMargin = [&] (const float* p) {
     return higher.outline.depthOf (higher.project (p)) <= 0.f &&

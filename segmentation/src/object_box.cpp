@@ -5,7 +5,7 @@
 #include "link_kernels.h"
 #include "point_sample.h"
 
-#include <pcl/segmentation/object_box.h>
+#include <pcl/segmentation/impl/object_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ struct Mean {
 ObjectBox
 ObjectBoxFinder::compute (const OrganizedPoints& points,
                           const pcl::Indices& indices,
-                          const SupportPlane& support,
+                          const SupportSurface& support,
                           float bottom,
                           const DepthNoise& noise)
 {

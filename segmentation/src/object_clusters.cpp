@@ -6,7 +6,7 @@
 #include "object_kernels.h"
 #include "run_kernels.h"
 
-#include <pcl/segmentation/object_clusters.h>
+#include <pcl/segmentation/impl/object_clusters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
 {
   constexpr std::size_t max_bases = maybe_above - above;
   bases_.clear();
-  for (const SupportPlane& support : supports_->planes())
+  for (const SupportSurface& support : supports_->planes())
     if (!support.is_on_object && bases_.size() < max_bases)
       bases_.push_back (&support);
   // What fills up the last block of a row is in the next one, which is placed later.
@@ -142,7 +142,7 @@ ObjectClusters::settle (std::uint32_t i, std::size_t base) const
   const float* p = points_[i];
   bool is_beside_platform = false;
   for (; base < bases_.size(); ++base) {
-    const SupportPlane& support = *bases_[base];
+    const SupportSurface& support = *bases_[base];
     const float height = heightAbove (support, i);
     if (!(std::fabs (height) <= parameters_.max_object_height) ||
         !support.surroundings.bounds().contains (support.project (p)))
@@ -174,7 +174,7 @@ ObjectClusters::settleBeside (std::uint32_t i) const
 
 /** Over the plane as the camera bends it. */
 float
-ObjectClusters::heightAbove (const SupportPlane& support,
+ObjectClusters::heightAbove (const SupportSurface& support,
                              std::uint32_t v,
                              std::uint32_t u) const
 {

@@ -9,7 +9,7 @@
 #include "object_kernels.h"
 #include "plane_vectors-inl.h"
 
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/impl/support_planes.h>
 
 #include <array>
 
@@ -24,7 +24,7 @@ struct Projected {
   V x, y;
 
   HWY_INLINE
-  Projected (const SupportPlane& support, const Points& p)
+  Projected (const SupportSurface& support, const Points& p)
   : x (along (support.axis_x, p))
   , y (along (support.axis_y, p))
   {}
@@ -57,7 +57,7 @@ struct Projected {
   }
 };
 
-using Supports = std::vector<const SupportPlane*>;
+using Supports = std::vector<const SupportSurface*>;
 
 /** As placeRow(), for some points of a block of row \a v. */
 HWY_INLINE I
@@ -75,7 +75,7 @@ placesOf (const Points& p,
   for (std::size_t number = 0; number < planes.size(); ++number) {
     if (hn::AllFalse (Floats(), is_open))
       break;
-    const SupportPlane& support = *planes[number];
+    const SupportSurface& support = *planes[number];
     const V projection = dot (equationOf (support.plane), p);
     const V height =
         hn::Add (projection, set (support.plane.d - support.warp.row (v)[block]));
@@ -157,7 +157,7 @@ HWY_EXPORT (placeRowHere);
 void
 placeRow (const PointRow& row,
           int v,
-          const std::vector<const SupportPlane*>& planes,
+          const std::vector<const SupportSurface*>& planes,
           const ObjectParameters& parameters,
           std::uint8_t* places,
           std::uint8_t* has_above)

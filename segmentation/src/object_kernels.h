@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/segmentation/object_parameters.h>
-#include <pcl/segmentation/point_row.h>
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/impl/object_parameters.h>
+#include <pcl/segmentation/impl/point_row.h>
+#include <pcl/segmentation/impl/support_planes.h>
 
 #include <cstdint>
 #include <vector>
@@ -29,7 +29,7 @@ constexpr std::uint8_t maybe_above = 128;
 void
 placeRow (const PointRow& row,
           int v,
-          const std::vector<const SupportPlane*>& planes,
+          const std::vector<const SupportSurface*>& planes,
           const ObjectParameters& parameters,
           std::uint8_t* places,
           std::uint8_t* has_above);

@@ -3,7 +3,7 @@
 
 #include "link_kernels.h"
 
-#include <pcl/segmentation/object_clusters.h>
+#include <pcl/segmentation/impl/object_clusters.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ ObjectClusters::lookAtMargin (const PointRun& run,
 
 /** What is level with another plane is nowhere, and yet may be too high. */
 bool
-ObjectClusters::isOutside (std::uint32_t i, const SupportPlane& support) const
+ObjectClusters::isOutside (std::uint32_t i, const SupportSurface& support) const
 {
   return place_[i] == outside ||
          (place_[i] == nowhere &&
@@ -75,7 +75,7 @@ ObjectClusters::countLeak (std::uint32_t i,
                            const LinkLimit& limit,
                            Sums& sums) const
 {
-  const SupportPlane& support = supports_->planes()[sums.support];
+  const SupportSurface& support = supports_->planes()[sums.support];
   bool leaks = false, is_at_background = false;
   const auto lookAt = [&] (std::ptrdiff_t step) {
     const std::uint32_t j = nextPixel (points_, i, step);
@@ -100,7 +100,7 @@ ObjectClusters::countTop (std::uint32_t i,
                           const LinkLimit& limit,
                           Sums& sums) const
 {
-  const SupportPlane& support = supports_->planes()[sums.support];
+  const SupportSurface& support = supports_->planes()[sums.support];
   std::uint32_t last = i, k = nextPixel (points_, i, up);
   if (place_[k] == place_[i])
     return;
@@ -133,7 +133,7 @@ ObjectClusters::countTop (std::uint32_t i,
 bool
 ObjectClusters::hasNoStep (std::uint32_t i,
                            std::uint32_t k,
-                           const SupportPlane& support) const
+                           const SupportSurface& support) const
 {
   constexpr float step_sigmas = 2.f;
   return heightAbove (support, i) - heightAbove (support, k) <

@@ -3,7 +3,7 @@
 
 #include "link_kernels.h"
 
-#include <pcl/segmentation/object_clusters.h>
+#include <pcl/segmentation/impl/object_clusters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +105,7 @@ ObjectClusters::findSets()
 std::size_t
 ObjectClusters::pointsBeyond (float sigmas,
                               const PointRun& run,
-                              const SupportPlane& support) const
+                              const SupportSurface& support) const
 {
   const std::uint32_t v = run.first / width_, u = run.first % width_;
   std::size_t count = 0;
@@ -120,7 +120,7 @@ ObjectClusters::pointsBeyond (float sigmas,
 
 std::size_t
 ObjectClusters::pointsOffBackground (const PointRun& run,
-                                     const SupportPlane& support) const
+                                     const SupportSurface& support) const
 {
   const std::uint32_t v = run.first / width_, u = run.first % width_;
   std::size_t count = 0;
@@ -140,7 +140,8 @@ ObjectClusters::pointsOffBackground (const PointRun& run,
 }
 
 std::size_t
-ObjectClusters::pointsOverHull (const PointRun& run, const SupportPlane& support) const
+ObjectClusters::pointsOverHull (const PointRun& run,
+                                const SupportSurface& support) const
 {
   const auto isOver = [&] (std::uint32_t i) {
     return support.outline.contains (support.project (points_[i]));
@@ -158,7 +159,7 @@ ObjectClusters::pointsOverHull (const PointRun& run, const SupportPlane& support
 /** Those further inside of the hull than noise explains of what stands at its border. */
 std::size_t
 ObjectClusters::pointsWellInside (const PointRun& run,
-                                  const SupportPlane& support) const
+                                  const SupportSurface& support) const
 {
   std::size_t count = 0;
   for (std::uint32_t i = run.first; i < run.first + run.length; ++i)

@@ -4,7 +4,7 @@
 #include "obstacle_kernels.h"
 #include "row_bits.h"
 
-#include <pcl/segmentation/obstacle_clusters.h>
+#include <pcl/segmentation/impl/obstacle_clusters.h>
 
 #include <algorithm>
 

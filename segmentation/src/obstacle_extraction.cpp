@@ -4,7 +4,7 @@
 #include "obstacle_kernels.h"
 #include "row_bits.h"
 
-#include <pcl/segmentation/obstacle_extraction.h>
+#include <pcl/segmentation/impl/obstacle_extraction.h>
 
 #include <algorithm>
 #include <cmath>

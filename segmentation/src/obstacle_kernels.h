@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/segmentation/obstacle_clusters.h>
-#include <pcl/segmentation/obstacle_points.h>
-#include <pcl/segmentation/point_row.h>
+#include <pcl/segmentation/impl/obstacle_clusters.h>
+#include <pcl/segmentation/impl/obstacle_points.h>
+#include <pcl/segmentation/impl/point_row.h>
 
 #include <algorithm>
 

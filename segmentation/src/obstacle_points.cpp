@@ -5,7 +5,7 @@
 #include "obstacle_kernels.h"
 #include "row_bits.h"
 
-#include <pcl/segmentation/obstacle_points.h>
+#include <pcl/segmentation/impl/obstacle_points.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "plane_kernels.h"
 #include "tile_bits.h"
 
-#include <pcl/segmentation/plane_assignment.h>
-#include <pcl/segmentation/plane_growth.h>
+#include <pcl/segmentation/impl/plane_assignment.h>
+#include <pcl/segmentation/impl/plane_growth.h>
 
 #include <algorithm>
 

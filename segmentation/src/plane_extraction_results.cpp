@@ -3,7 +3,7 @@
 
 #include "uneven_surface.h"
 
-#include <pcl/segmentation/plane_extraction.h>
+#include <pcl/segmentation/impl/plane_extraction.h>
 
 #include <algorithm>
 #include <numeric>

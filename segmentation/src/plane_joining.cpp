@@ -3,7 +3,7 @@
 
 #include "tile_bits.h"
 
-#include <pcl/segmentation/plane_joining.h>
+#include <pcl/segmentation/impl/plane_joining.h>
 
 #include <Eigen/Eigenvalues>
 

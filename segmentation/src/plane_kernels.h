@@ -4,11 +4,11 @@
 #pragma once
 
 #include <pcl/features/depth_noise.h>
-#include <pcl/features/organized_view.h>
-#include <pcl/segmentation/plane_assignment.h>
-#include <pcl/segmentation/plane_intersections.h>
-#include <pcl/segmentation/plane_moments.h>
-#include <pcl/segmentation/plane_samples.h>
+#include <pcl/features/impl/organized_view.h>
+#include <pcl/segmentation/impl/plane_assignment.h>
+#include <pcl/segmentation/impl/plane_intersections.h>
+#include <pcl/segmentation/impl/plane_moments.h>
+#include <pcl/segmentation/impl/plane_samples.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -11,7 +11,7 @@ namespace rgbd_planes {
 
 Level
 levelOf (const float* p,
-         const SupportPlane& support,
+         const SupportSurface& support,
          Reach reach,
          const ObjectParameters& parameters)
 {
@@ -29,7 +29,7 @@ levelOf (const float* p,
 bool
 liesAbove (const OrganizedPoints& points,
            const std::vector<PointRun>& thing,
-           const SupportPlane& support,
+           const SupportSurface& support,
            const ObjectParameters& parameters)
 {
   const auto shareAt = [&] (bool or_on_plane) {

@@ -5,7 +5,7 @@
 
 #include "point_sample.h"
 
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/impl/support_planes.h>
 
 #include <cstddef>
 
@@ -22,7 +22,7 @@ enum class Reach { outline, surroundings };
  * both cases where the plane reaches. */
 Level
 levelOf (const float* p,
-         const SupportPlane& support,
+         const SupportSurface& support,
          Reach reach,
          const ObjectParameters& parameters);
 

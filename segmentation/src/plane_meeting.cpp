@@ -6,7 +6,7 @@
 #include "plane_kernels.h"
 #include "tile_bits.h"
 
-#include <pcl/segmentation/plane_assignment.h>
+#include <pcl/segmentation/impl/plane_assignment.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/plane_outputs.h>
-#include <pcl/segmentation/region_contour.h>
+#include <pcl/segmentation/impl/plane_outputs.h>
+#include <pcl/segmentation/impl/region_contour.h>
 
 #include <algorithm>
 #include <cmath>

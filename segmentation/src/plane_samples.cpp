@@ -5,7 +5,7 @@
 #include "plane_kernels.h"
 #include <hwy/cache_control.h>
 
-#include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/impl/plane_samples.h>
 
 #include <algorithm>
 

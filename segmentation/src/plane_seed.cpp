@@ -6,7 +6,7 @@
 #include "surface_turn.h"
 #include "tile_bits.h"
 
-#include <pcl/segmentation/plane_growth.h>
+#include <pcl/segmentation/impl/plane_growth.h>
 
 #include <algorithm>
 #include <array>

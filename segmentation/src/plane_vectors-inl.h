@@ -13,7 +13,7 @@
 #include "plane_kernels.h"
 #include "vectors-inl.h"
 
-#include <pcl/segmentation/point_row.h>
+#include <pcl/segmentation/impl/point_row.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {

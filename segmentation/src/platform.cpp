@@ -66,7 +66,7 @@ isLargerThanTops (const ConvexOutline& hull, float max_object_height)
 void
 MainPart::compute (const OrganizedPoints& points,
                    const pcl::Indices& inliers,
-                   const SupportPlane& surface)
+                   const SupportSurface& surface)
 {
   *this = {};
   for (int round = 0; round < main_part_rounds; ++round) {
@@ -98,7 +98,7 @@ MainPart::compute (const OrganizedPoints& points,
 bool
 isClosed (const OrganizedPoints& points,
           const pcl::Indices& inliers,
-          const SupportPlane& surface,
+          const SupportSurface& surface,
           const ConvexOutline& hull,
           const DepthNoise& noise)
 {

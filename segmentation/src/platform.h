@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/impl/support_planes.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +24,7 @@ public:
   void
   compute (const OrganizedPoints& points,
            const pcl::Indices& inliers,
-           const SupportPlane& surface);
+           const SupportSurface& surface);
 
   bool
   contains (const Eigen::Vector2f& q) const
@@ -45,7 +45,7 @@ private:
 bool
 isClosed (const OrganizedPoints& points,
           const pcl::Indices& inliers,
-          const SupportPlane& surface,
+          const SupportSurface& surface,
           const ConvexOutline& hull,
           const DepthNoise& noise);
 

@@ -3,7 +3,7 @@
 
 #include "plane_kernels.h"
 
-#include <pcl/segmentation/point_row.h>
+#include <pcl/segmentation/impl/point_row.h>
 
 #include <limits>
 #include <numeric>

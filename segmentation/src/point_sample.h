@@ -5,8 +5,8 @@
 
 #include "spread_sample.h"
 
-#include <pcl/features/organized_view.h>
-#include <pcl/segmentation/linked_runs.h>
+#include <pcl/features/impl/organized_view.h>
+#include <pcl/segmentation/impl/linked_runs.h>
 #include <pcl/types.h>
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/region_contour.h>
+#include <pcl/segmentation/impl/region_contour.h>
 
 namespace pcl {
 namespace rgbd_planes {

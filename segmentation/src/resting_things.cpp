@@ -5,8 +5,8 @@
 #include "plane_levels.h"
 #include "point_sample.h"
 
-#include <pcl/segmentation/pixel_lines.h>
-#include <pcl/segmentation/resting_things.h>
+#include <pcl/segmentation/impl/pixel_lines.h>
+#include <pcl/segmentation/impl/resting_things.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ void
 RestingThings::find (const OrganizedPoints& points,
                      float pixel_angle,
                      const OcclusionSteps& occlusions,
-                     const std::vector<SupportPlane>& supports,
+                     const std::vector<SupportSurface>& supports,
                      const ObjectParameters& parameters,
                      const std::vector<std::size_t>& thing_of,
                      std::vector<ObjectCluster>& things,
@@ -60,7 +60,7 @@ RestingThings::find (const OrganizedPoints& points,
   thing_of_ = &thing_of;
   things_ = &things;
   for (std::size_t k = 0; k < things.size(); ++k) {
-    const SupportPlane& support = supports[things[k].support];
+    const SupportSurface& support = supports[things[k].support];
     const Extent extent = extentOf (things[k], support);
     if (extent.low <= minLow (extent))
       continue;
@@ -78,7 +78,7 @@ RestingThings::find (const OrganizedPoints& points,
 }
 
 RestingThings::Extent
-RestingThings::extentOf (const ObjectCluster& thing, const SupportPlane& support)
+RestingThings::extentOf (const ObjectCluster& thing, const SupportSurface& support)
 {
   heights_.clear();
   Extent extent;
@@ -121,7 +121,7 @@ RestingThings::isOnSupport (const float* point) const
 
 RestingThings::LowerEnd
 RestingThings::lowerEnd (std::size_t thing,
-                         const SupportPlane& support,
+                         const SupportSurface& support,
                          const Extent& extent)
 {
   LowerEnd end;
@@ -139,7 +139,7 @@ void
 RestingThings::lookBelow (std::uint32_t lowest,
                           std::ptrdiff_t down,
                           std::size_t thing,
-                          const SupportPlane& support,
+                          const SupportSurface& support,
                           const Extent& extent,
                           LowerEnd& end)
 {
@@ -189,7 +189,8 @@ RestingThings::lookBelow (std::uint32_t lowest,
 }
 
 bool
-RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& support)
+RestingThings::liesOverOthers (const ObjectCluster& thing,
+                               const SupportSurface& support)
 {
   ground_.clear();
   for (const std::size_t other : touched_)
@@ -206,7 +207,7 @@ RestingThings::liesOverOthers (const ObjectCluster& thing, const SupportPlane& s
 /** Joins a thing with the thin ones that are seen under it. */
 void
 RestingThings::joinStems (std::size_t thing,
-                          const SupportPlane& support,
+                          const SupportSurface& support,
                           const Extent& extent,
                           DisjointSets& sets)
 {
@@ -240,7 +241,7 @@ RestingThings::areaOf (const ObjectCluster& thing) const
 
 void
 RestingThings::addToGround (const std::vector<PointRun>& runs,
-                            const SupportPlane& support)
+                            const SupportSurface& support)
 {
   sampleAtMost (runs, max_points_of_thing, [&] (std::size_t i) {
     ground_.push_back (support.project (points_[i]));

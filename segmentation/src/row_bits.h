@@ -5,7 +5,7 @@
 
 #include "each_bit.h"
 
-#include <pcl/segmentation/obstacle_clusters.h>
+#include <pcl/segmentation/impl/obstacle_clusters.h>
 
 #include <cstddef>
 #include <cstdint>

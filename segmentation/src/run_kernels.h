@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/linked_runs.h>
+#include <pcl/segmentation/impl/linked_runs.h>
 
 #include <cstdint>
 #include <vector>

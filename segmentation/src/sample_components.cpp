@@ -3,7 +3,7 @@
 
 #include "tile_bits.h"
 
-#include <pcl/segmentation/sample_components.h>
+#include <pcl/segmentation/impl/sample_components.h>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "row_bits.h"
 #include "scan_kernels.h"
 
-#include <pcl/segmentation/scan_builder.h>
+#include <pcl/segmentation/impl/scan_builder.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/segmentation/point_row.h>
-#include <pcl/segmentation/scan_builder.h>
+#include <pcl/segmentation/impl/point_row.h>
+#include <pcl/segmentation/impl/scan_builder.h>
 
 #include <Eigen/Geometry>
 

@@ -3,8 +3,8 @@
 
 #include "step_kernels.h"
 
-#include <pcl/features/row_ring.h>
-#include <pcl/segmentation/step_finder.h>
+#include <pcl/features/impl/row_ring.h>
+#include <pcl/segmentation/impl/step_finder.h>
 
 #include <Eigen/LU>
 

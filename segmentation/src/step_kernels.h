@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/step_finder.h>
+#include <pcl/segmentation/impl/step_finder.h>
 
 #include <cstddef>
 #include <vector>

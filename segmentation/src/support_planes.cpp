@@ -5,7 +5,7 @@
 #include "point_sample.h"
 #include "row_corners.h"
 
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/impl/support_planes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ SupportPlanes::compute (const OrganizedPoints& points,
       continue;
     }
     supports_.resize (std::max (supports_.size(), count + 1));
-    SupportPlane& support = supports_[count++];
+    SupportSurface& support = supports_[count++];
     support.index = k;
     support.plane = plane;
     support.height = height;
@@ -79,7 +79,7 @@ SupportPlanes::compute (const OrganizedPoints& points,
     return a.height != b.height ? a.height > b.height : a.index < b.index;
   });
   markPlanesOnObjects (points, planes, parameters);
-  for (SupportPlane& support : supports_)
+  for (SupportSurface& support : supports_)
     if (!support.is_on_object)
       support.warp.compute (points, *planes[support.index].inliers, support.plane);
   findBackground (points, planes, parameters);
@@ -115,7 +115,7 @@ SupportPlanes::outline (const OrganizedPoints& points,
                         const pcl::Indices& inliers,
                         const MainPart& part,
                         const ObjectParameters& parameters,
-                        const SupportPlane& support,
+                        const SupportSurface& support,
                         ConvexOutline& hull)
 {
   border_.clear();
@@ -135,11 +135,35 @@ SupportPlanes::outline (const OrganizedPoints& points,
 
 void
 SupportPlanes::findSurroundings (const ObjectParameters& parameters,
-                                 SupportPlane& support)
+                                 SupportSurface& support)
 {
   border_ = support.outline.corners();
   support.surroundings.compute (border_,
                                 parameters.hull_tolerance + parameters.max_overhang);
+}
+
+void
+describe (const std::vector<SupportSurface>& supports,
+          const Eigen::Vector3f& sensor,
+          const PCLHeader& header,
+          std::vector<SupportPlane>& planes)
+{
+  planes.resize (supports.size());
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    const SupportSurface& support = supports[k];
+    SupportPlane& plane = planes[k];
+    plane.index = support.index;
+    const Plane seen = support.plane.shifted (sensor);
+    plane.coefficients.header = header;
+    plane.coefficients.values.assign (seen.normal.data(), seen.normal.data() + 3);
+    plane.coefficients.values.push_back (seen.d);
+    plane.hull.clear();
+    for (const auto& corner : support.outline.corners())
+      plane.hull.push_back (sensor + support.unproject (corner));
+    plane.height = support.height;
+    plane.is_on_object = support.is_on_object;
+    plane.is_platform = support.is_platform;
+  }
 }
 
 } // namespace rgbd_planes

@@ -61,7 +61,7 @@ goesAcross (const OrganizedPoints& points,
 /** Whether it is the front of a table: what supports is behind it, and it is no higher than things
  * that stand there. Its front may be in one plane with theirs. */
 bool
-isFrontOf (const SupportPlane& support,
+isFrontOf (const SupportSurface& support,
            const OrganizedPoints& points,
            const SegmentedPlane& plane,
            float max_object_height)
@@ -89,13 +89,13 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
   margins_ = marginsOf (points);
   const auto supports = [&] (const SegmentedPlane& plane) {
     return std::any_of (
-        supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+        supports_.begin(), supports_.end(), [&] (const SupportSurface& support) {
           return &planes[support.index] == &plane && !support.is_on_object;
         });
   };
   const auto isFront = [&] (const SegmentedPlane& plane) {
     return std::any_of (
-        supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+        supports_.begin(), supports_.end(), [&] (const SupportSurface& support) {
           return !support.is_on_object &&
                  isFrontOf (support, points, plane, parameters.max_object_height);
         });
@@ -104,7 +104,7 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
     const auto isAtOneOf = [&] (Reach reach) {
       return shareOf (points, *plane.inliers, [&] (const float* p) {
         return std::any_of (
-            supports_.begin(), supports_.end(), [&] (const SupportPlane& support) {
+            supports_.begin(), supports_.end(), [&] (const SupportSurface& support) {
               return levelOf (p, support, reach, parameters) != Level::elsewhere;
             });
       });
@@ -129,14 +129,14 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
       return shareOf (points, inliers, [&] (const float* p) {
         return std::any_of (supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
                             supports_.end(),
-                            [&] (const SupportPlane& lower) {
+                            [&] (const SupportSurface& lower) {
                               return !lower.is_on_object &&
                                      levelOf (p, lower, reach, parameters) !=
                                          Level::elsewhere;
                             });
       });
     };
-    SupportPlane& support = supports_[k];
+    SupportSurface& support = supports_[k];
     const bool is_on_lower = isOnLower (Reach::surroundings).isMost() &&
                              isOnLower (Reach::outline).isAtLeast (over_hull_share);
     support.is_platform =
@@ -151,7 +151,7 @@ bool
 SupportPlanes::makePlatform (const OrganizedPoints& points,
                              const pcl::Indices& inliers,
                              const ObjectParameters& parameters,
-                             SupportPlane& support)
+                             SupportSurface& support)
 {
   if (!isLargerThanTops (support.outline, parameters.max_object_height))
     return false;

@@ -3,7 +3,7 @@
 
 #include "surface_turn.h"
 
-#include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/impl/plane_moments.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/plane_samples.h>
+#include <pcl/segmentation/impl/plane_samples.h>
 
 #include <bitset>
 #include <cstddef>

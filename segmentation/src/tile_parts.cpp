@@ -9,7 +9,7 @@
 #include "each_bit.h"
 #include "sample_vectors-inl.h"
 
-#include <pcl/segmentation/tile_parts.h>
+#include <pcl/segmentation/impl/tile_parts.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {

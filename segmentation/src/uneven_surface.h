@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/segmentation/plane_moments.h>
+#include <pcl/segmentation/impl/plane_moments.h>
 
 namespace pcl {
 namespace rgbd_planes {

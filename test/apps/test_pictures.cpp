@@ -4,7 +4,7 @@
 #include "files.h"
 
 #include <pcl/apps/pictures.h>
-#include <pcl/segmentation/plane_extraction.h>
+#include <pcl/segmentation/impl/plane_extraction.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/apps/plane_evaluation.h>
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 
 #include <gtest/gtest.h>
 

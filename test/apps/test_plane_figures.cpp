@@ -4,7 +4,7 @@
 #include <pcl/apps/curved_points.h>
 #include <pcl/apps/object_label_evaluation.h>
 #include <pcl/apps/right_angles.h>
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 
 #include <gtest/gtest.h>
 

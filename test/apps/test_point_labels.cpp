@@ -6,7 +6,7 @@
 #include <pcl/apps/frame_source.h>
 #include <pcl/apps/organized_pcd.h>
 #include <pcl/apps/plane_truth.h>
-#include <pcl/segmentation/label_runs.h>
+#include <pcl/segmentation/impl/label_runs.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <pcl/apps/labelled_point.h>
 #include <pcl/apps/pictures.h>
 #include <pcl/io/pcd_io.h>
-#include <pcl/segmentation/plane_extraction.h>
+#include <pcl/segmentation/impl/plane_extraction.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/features/tangent_normals.h>
+#include <pcl/features/impl/tangent_normals.h>
 
 #include <Eigen/Core>
 

@@ -3,8 +3,8 @@
 
 #include "normal_clouds.h"
 
+#include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/features/set_parameter.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/connected_parts.h>
-#include <pcl/segmentation/label_runs.h>
-#include <pcl/segmentation/region_contour.h>
+#include <pcl/segmentation/impl/connected_parts.h>
+#include <pcl/segmentation/impl/label_runs.h>
+#include <pcl/segmentation/impl/region_contour.h>
 
 #include <gtest/gtest.h>
 

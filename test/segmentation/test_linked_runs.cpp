@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/segmentation/linked_runs.h>
+#include <pcl/segmentation/impl/linked_runs.h>
 
 #include <gtest/gtest.h>
 

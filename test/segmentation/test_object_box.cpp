@@ -3,7 +3,7 @@
 
 #include "table_scenes.h"
 
-#include <pcl/segmentation/object_box.h>
+#include <pcl/segmentation/impl/object_box.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ boxOf (const View& view, std::initializer_list<int> boxes)
   for (const int box : boxes)
     for (const auto i : view.pixelsOf (box))
       indices.push_back (i);
-  SupportPlane ground;
+  SupportSurface ground;
   ground.plane.normal = view.camera_to_base.linear().row (2);
   ground.plane.d = view.camera_to_base.translation().z();
   ground.axis_x = ground.plane.normal.unitOrthogonal();
@@ -144,7 +144,7 @@ TEST (ObjectBox, ATopAtTheHeightOfTheCamera)
                       0.025f * static_cast<float> (row),
                       1.2f});
     }
-  SupportPlane ground;
+  SupportSurface ground;
   ground.plane.normal = -Vector3f::UnitY();
   ground.plane.d = 0.25f;
   ground.axis_x = Vector3f::UnitZ();

@@ -4,7 +4,7 @@
 #include "table_scenes.h"
 
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/segmentation/plane_warp.h>
+#include <pcl/segmentation/impl/plane_warp.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <hwy/targets.h>
 
-#include <pcl/segmentation/step_finder.h>
+#include <pcl/segmentation/impl/step_finder.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "plane_clouds.h"
 
-#include <pcl/segmentation/step_split.h>
+#include <pcl/segmentation/impl/step_split.h>
 
 #include <gtest/gtest.h>
 

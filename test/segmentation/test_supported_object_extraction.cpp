@@ -59,8 +59,9 @@ TEST (SupportedObjectExtraction, KnowsABox)
   ASSERT_GE (supports.size(), 2u);
   for (const auto& support : supports)
     if (support.index == view.top.at (1)) {
-      for (const auto& corner : support.outline.corners()) {
-        const Vector3f p = view.camera_to_base * support.unproject (corner);
+      EXPECT_GE (support.hull.size(), 4u);
+      for (const auto& corner : support.hull) {
+        const Vector3f p = view.camera_to_base * corner;
         EXPECT_NEAR (p.z(), table_height, 1e-3f);
         EXPECT_LT (std::fabs (p.x() - 1.2f), 0.401f);
         EXPECT_LT (std::fabs (p.y()), 0.501f);

@@ -146,7 +146,7 @@ public:
   }
 
   /** \brief The planes that objects were looked for on. */
-  const std::vector<SupportPlane>&
+  const std::vector<pcl::SupportPlane>&
   supportPlanes () const
   {
     return pipeline_.extraction.getSupportPlanes();

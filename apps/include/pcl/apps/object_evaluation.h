@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 #include <pcl/simulation/simulate.h>
 #include <pcl/types.h>

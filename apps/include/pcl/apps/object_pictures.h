@@ -17,7 +17,7 @@ namespace rgbd_planes {
 Picture
 objectsPicture (const pcl::PointCloud<pcl::PointXYZRGB>& cloud,
                 const std::vector<ObjectSummary>& objects,
-                const std::vector<SupportPlane>& supports);
+                const std::vector<pcl::SupportPlane>& supports);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/features/depth_noise.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/point_cloud.h>
 #include <pcl/simulation/truth_point.h>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 
 #include <Eigen/Core>
 

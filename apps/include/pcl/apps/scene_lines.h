@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/point_types.h>
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/support_plane.h>
 #include <pcl/segmentation/supported_object.h>
 
 #include <Eigen/Core>
@@ -24,13 +24,9 @@ struct ColouredLine {
 std::vector<ColouredLine>
 boxLines (const pcl::SupportedObject& object);
 
-/** \brief The closed hull of a plane that things stand on; no points where it has none.
- * \param[in] sensor where the sensor is in the frame of the cloud
- */
+/** \brief The closed hull of a plane that things stand on; no points where it has none. */
 ColouredLine
-hullLine (const SupportPlane& support,
-          const Eigen::Vector3f& sensor,
-          const pcl::RGB& colour);
+hullLine (const pcl::SupportPlane& support, const pcl::RGB& colour);
 
 } // namespace rgbd_planes
 } // namespace pcl

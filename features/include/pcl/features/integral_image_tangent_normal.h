@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include <pcl/features/impl/tangent_normals.h>
+#include <pcl/features/impl/threads.h>
 #include <pcl/features/normal_estimation_base.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/tangent_normals.h>
-#include <pcl/features/threads.h>
 #include <pcl/point_types.h>
 
 namespace pcl {

@@ -3,9 +3,9 @@
 
 #pragma once
 
+#include <pcl/features/impl/two_run_normals.h>
 #include <pcl/features/normal_estimation_base.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/two_run_normals.h>
 #include <pcl/point_types.h>
 
 #include <functional>

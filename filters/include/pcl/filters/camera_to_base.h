@@ -6,7 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/camera_pose.h>
 #include <pcl/filters/filter.h>
-#include <pcl/filters/own_indices.h>
+#include <pcl/filters/impl/own_indices.h>
 #include <pcl/memory.h>
 #include <pcl/ModelCoefficients.h>
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/filters/depth_warp.h>
 #include <pcl/filters/filter.h>
-#include <pcl/filters/own_indices.h>
+#include <pcl/filters/impl/depth_warp.h>
+#include <pcl/filters/impl/own_indices.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

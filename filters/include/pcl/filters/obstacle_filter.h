@@ -5,8 +5,8 @@
 
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/filter_indices.h>
+#include <pcl/filters/impl/own_indices.h>
 #include <pcl/filters/obstacle_class.h>
-#include <pcl/filters/own_indices.h>
 #include <pcl/point_types.h>
 
 namespace pcl {

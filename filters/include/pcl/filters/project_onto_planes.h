@@ -3,11 +3,11 @@
 
 #pragma once
 
+#include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/set_parameter.h>
 #include <pcl/filters/filter.h>
-#include <pcl/filters/own_indices.h>
-#include <pcl/filters/plane_points.h>
+#include <pcl/filters/impl/own_indices.h>
+#include <pcl/filters/impl/plane_points.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>

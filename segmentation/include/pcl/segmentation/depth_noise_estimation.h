@@ -6,8 +6,8 @@
 #include <pcl/console/print.h>
 #include <pcl/features/depth_noise.h>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/sensor_points.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/sensor_points.h>
 
 #include <cstddef>
 #include <map>

@@ -5,16 +5,18 @@
 
 // Programs have pcl::deg2rad from the header of OrganizedMultiPlaneSegmentation.
 #include <pcl/common/angles.h>
+#include <pcl/features/impl/sensor_points.h>
+#include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/sensor_points.h>
-#include <pcl/features/set_parameter.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
+#include <pcl/segmentation/impl/plane_extraction.h>
+#include <pcl/segmentation/impl/plane_outputs.h>
+#include <pcl/segmentation/normal_space_grid.h>
 #include <pcl/segmentation/planar_region.h>
-#include <pcl/segmentation/plane_extraction.h>
-#include <pcl/segmentation/plane_outputs.h>
+#include <pcl/segmentation/plane_results.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

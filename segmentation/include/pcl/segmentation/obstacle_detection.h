@@ -3,15 +3,15 @@
 
 #pragma once
 
+#include <pcl/features/impl/sensor_points.h>
+#include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/sensor_points.h>
-#include <pcl/features/set_parameter.h>
-#include <pcl/filters/plane_points.h>
+#include <pcl/filters/impl/plane_points.h>
 #include <pcl/memory.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
-#include <pcl/segmentation/obstacle_extraction.h>
+#include <pcl/segmentation/impl/obstacle_extraction.h>
 
 #include <cmath>
 #include <string>

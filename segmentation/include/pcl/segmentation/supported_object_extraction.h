@@ -3,20 +3,21 @@
 
 #pragma once
 
+#include <pcl/features/impl/sensor_points.h>
+#include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/sensor_points.h>
-#include <pcl/features/set_parameter.h>
 #include <pcl/filters/camera_pose.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
-#include <pcl/segmentation/concave_split.h>
-#include <pcl/segmentation/object_box.h>
-#include <pcl/segmentation/object_clusters.h>
-#include <pcl/segmentation/support_planes.h>
+#include <pcl/segmentation/impl/concave_split.h>
+#include <pcl/segmentation/impl/object_box.h>
+#include <pcl/segmentation/impl/object_clusters.h>
+#include <pcl/segmentation/impl/support_planes.h>
+#include <pcl/segmentation/impl/whole_things.h>
+#include <pcl/segmentation/support_plane.h>
 #include <pcl/segmentation/supported_object.h>
-#include <pcl/segmentation/whole_things.h>
 
 #include <Eigen/Geometry>
 
@@ -335,15 +336,15 @@ public:
            std::vector<SupportedObject>& objects);
 
   /** \brief The horizontal planes in the range of heights, as the last call of extract() found
-   * and optimised them, with their hulls, relative to the \c sensor_origin_ of the cloud. */
-  const std::vector<rgbd_planes::SupportPlane>&
+   * and optimised them, from the highest to the lowest; empty after an error. */
+  const std::vector<SupportPlane>&
   getSupportPlanes () const
   {
-    return supports_.planes();
+    return support_planes_;
   }
 
   /** \brief Why planes of the last call of extract() support nothing, and how many. */
-  const rgbd_planes::SupportRejections&
+  const SupportRejections&
   getSupportRejections () const
   {
     return supports_.rejections();
@@ -406,6 +407,7 @@ private:
   rgbd_planes::SensorPoints relative_points_;
   std::vector<std::uint8_t> selected_;
   rgbd_planes::SupportPlanes supports_;
+  std::vector<SupportPlane> support_planes_;
   rgbd_planes::ObjectClusters clustering_;
   rgbd_planes::ConcaveSplit split_;
   rgbd_planes::WholeThings whole_things_;

@@ -5,11 +5,11 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
-#include <pcl/features/first_in_a_row.h>
+#include <pcl/features/impl/first_in_a_row.h>
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/integral_image_tangent_normal.h>
-#include <pcl/features/set_parameter.h>
 
 #include <algorithm>
 

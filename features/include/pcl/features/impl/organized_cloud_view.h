@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
+#include <pcl/features/impl/tangent_normals.h>
 #include <pcl/features/rgbd_planes_exports.h>
-#include <pcl/features/tangent_normals.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/type_traits.h>

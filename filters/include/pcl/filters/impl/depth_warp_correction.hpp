@@ -5,7 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/depth_warp_correction.h>
 
 #include <algorithm>

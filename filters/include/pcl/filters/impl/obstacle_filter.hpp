@@ -6,7 +6,7 @@
 #include <pcl/common/io.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/features/organized_view.h>
+#include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/impl/copy_points.h>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/obstacle_filter.h>

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/features/first_in_a_row.h>
+#include <pcl/features/impl/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/filters/plane_points.h>
+#include <pcl/filters/impl/plane_points.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/features/first_in_a_row.h>
+#include <pcl/features/impl/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/obstacle_detection.h>
 

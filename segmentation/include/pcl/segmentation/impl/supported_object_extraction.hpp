@@ -4,9 +4,9 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/features/first_in_a_row.h>
+#include <pcl/features/impl/first_in_a_row.h>
 #include <pcl/features/impl/organized_cloud_view.h>
-#include <pcl/filters/plane_points.h>
+#include <pcl/filters/impl/plane_points.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <algorithm>
@@ -76,6 +76,7 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
 {
   const auto forget = [&] {
     objects.clear();
+    support_planes_.clear();
     supports_ = rgbd_planes::SupportPlanes();
     clustering_ = rgbd_planes::ObjectClusters();
     split_ = rgbd_planes::ConcaveSplit();
@@ -123,6 +124,7 @@ SupportedObjectExtraction<PointT, PointNT>::findObjects (
     objects[count++].box_center += origin;
   }
   objects.resize (count);
+  rgbd_planes::describe (supports_.planes(), origin, input_->header, support_planes_);
   warnOfPose (!planes_.empty() && supports_.planes().empty());
   warnOfNormals (parameters_.split_at_concave_edges && !objects.empty() &&
                  rgbd_planes::noneIsUnit (*normals_));
