@@ -53,14 +53,17 @@ obstaclesCsv (const std::vector<FrameSummary>& frames)
 {
   std::string csv =
       "frame,obstacle,kind,points,distance_m,direction_rad,nearest_x_m,nearest_y_m,"
-      "nearest_z_m,centroid_x_m,centroid_y_m,centroid_z_m\n";
+      "nearest_z_m,centroid_x_m,centroid_y_m,centroid_z_m,min_height_m,max_height_m\n";
   for (const auto& frame : frames)
     for (std::size_t id = 0; id < frame.obstacles.size(); ++id) {
       const auto& [obstacle, points, centroid] = frame.obstacles[id];
-      csv += (boost::format ("%s,%d,%s,%d,%.6g,%.6g") % csvText (frame.name) % id %
-              kindOf (obstacle) % points % obstacle.distance % obstacle.direction)
-                 .str() +
-             csvFields (obstacle.nearest) + csvFields (centroid) + '\n';
+      csv +=
+          (boost::format ("%s,%d,%s,%d,%.6g,%.6g") % csvText (frame.name) % id %
+           kindOf (obstacle) % points % obstacle.distance % obstacle.direction)
+              .str() +
+          csvFields (obstacle.nearest) + csvFields (centroid) +
+          (boost::format (",%.6g,%.6g\n") % obstacle.min_height % obstacle.max_height)
+              .str();
     }
   return csv;
 }
@@ -99,7 +102,9 @@ obstaclesJson (const FrameSummary& frame)
                           {"distance_m", obstacle.distance},
                           {"direction_rad", obstacle.direction},
                           {"nearest_m", toJson (obstacle.nearest)},
-                          {"centroid_m", toJson (centroid)}});
+                          {"centroid_m", toJson (centroid)},
+                          {"min_height_m", obstacle.min_height},
+                          {"max_height_m", obstacle.max_height}});
   return {{"floor_found", floor_found},
           {"pose", pose_names[static_cast<int> (frame.pose)]},
           {"camera_to_base", camera_to_base},

@@ -68,7 +68,7 @@ ObstacleExtraction::start (const ObstacleFrame& frame,
   if (excluded)
     for (const pcl::index_t index : *excluded)
       excluded_[static_cast<std::size_t> (index)] = 1;
-  nearest_.clear();
+  extents_.clear();
   point_classes_.start (frame, parameters.points);
   clusters_.start (points,
                    parameters.points.noise,
@@ -93,13 +93,13 @@ ObstacleExtraction::finishRow (const OrganizedPoints& points,
     exclude (first, first + width);
   const Row& row = rowAt (v);
   clusters_.addRow (points, &classes_[first], row.links);
-  const std::size_t first_run = nearest_.size();
-  nearest_.resize (clusters_.runs().size(), std::numeric_limits<float>::infinity());
+  const std::size_t first_run = extents_.size();
+  extents_.resize (clusters_.runs().size());
   scan_runs_.clear();
   // What is part of an excluded object is only known in the end.
   if (!excluded_.empty())
     return;
-  for (std::size_t k = first_run; k < nearest_.size(); ++k)
+  for (std::size_t k = first_run; k < extents_.size(); ++k)
     if (!clusters_.isSmall (k))
       addToScan (k, first);
   scan_builder_.add (row.points, camera_to_base, floor_.reference(), scan_runs_);
@@ -112,7 +112,7 @@ ObstacleExtraction::addToScan (std::size_t run, std::size_t first)
   scan_runs_.push_back ({begin - first,
                          begin - first + length,
                          classes_[begin] == ObstacleClass::drop_off,
-                         &nearest_[run]});
+                         &extents_[run]});
 }
 
 void
@@ -133,7 +133,8 @@ ObstacleExtraction::scanLateRuns (const OrganizedPoints& points,
     const std::size_t v = runs[k].first / width, first = v * width;
     scan_runs_.clear();
     for (; k < runs.size() && runs[k].first < first + width; ++k)
-      if (std::isinf (nearest_[k]) && runs[k].cluster != ObstacleClusters::none) {
+      if (std::isinf (extents_[k].nearest_square) &&
+          runs[k].cluster != ObstacleClusters::none) {
         addToScan (k, first);
         const ScanRun& run = scan_runs_.back();
         late_row_.load (points, static_cast<int> (v), run.begin, run.end);
@@ -154,6 +155,8 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
   nearest_runs_.assign (sizes.size(), runs.size());
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     obstacles[k].indices.resize (sizes[k]);
+    obstacles[k].min_height = std::numeric_limits<float>::infinity();
+    obstacles[k].max_height = -std::numeric_limits<float>::infinity();
     ends_[k] = obstacles[k].indices.data();
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -164,8 +167,13 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
         ends_[cluster], ends_[cluster] + length, static_cast<pcl::index_t> (first));
     ends_[cluster] += length;
     std::size_t& nearest = nearest_runs_[cluster];
-    if (nearest == runs.size() || nearest_[i] < nearest_[nearest])
+    const Extent& extent = extents_[i];
+    if (nearest == runs.size() ||
+        extent.nearest_square < extents_[nearest].nearest_square)
       nearest = i;
+    Obstacle& obstacle = obstacles[cluster];
+    obstacle.min_height = std::min (obstacle.min_height, extent.lowest);
+    obstacle.max_height = std::max (obstacle.max_height, extent.highest);
   }
   for (std::size_t k = 0; k < sizes.size(); ++k)
     describe (points, runs[nearest_runs_[k]], camera_to_base, obstacles[k]);

@@ -75,11 +75,12 @@ scanRunsHere (const PointRow& row,
   // In (0, 0), points have no direction.
   const V nearest = set (std::numeric_limits<float>::min());
   const V farthest = set (limits.range_max * limits.range_max);
-  const V highest = set (limits.max_height);
+  const V max_height = set (limits.max_height);
   for (const ScanRun& run : runs) {
     const V begin = set (static_cast<float> (run.begin));
     const V end = set (static_cast<float> (run.end));
-    V smallest = set (std::numeric_limits<float>::infinity());
+    const V infinity = set (std::numeric_limits<float>::infinity());
+    V smallest = infinity, lowest = infinity, highest = hn::Neg (infinity);
     std::size_t i = run.begin / PointRow::block_size * PointRow::block_size;
     for (; i < run.end; i += hn::Lanes (Floats())) {
       const Points from = load (row, static_cast<std::ptrdiff_t> (i));
@@ -89,10 +90,13 @@ scanRunsHere (const PointRow& row,
       const V square = hn::IfThenElse (
           is_inside, hn::MulAdd (p.x, p.x, hn::Mul (p.y, p.y)), hn::NaN (Floats()));
       smallest = hn::IfThenElse (hn::Lt (square, smallest), square, smallest);
+      const V z = run.are_below_floor ? move (from).z : p.z;
+      lowest = hn::IfThenElse (hn::And (is_inside, hn::Lt (z, lowest)), z, lowest);
+      highest = hn::IfThenElse (hn::And (is_inside, hn::Gt (z, highest)), z, highest);
 
       const Mask is_in_range =
           hn::And (hn::And (hn::Ge (square, nearest), hn::Le (square, farthest)),
-                   hn::Le (p.z, highest));
+                   hn::Le (p.z, max_height));
       columns.in_range[i / bits_in_word] |= bitsOf (Floats(), is_in_range)
                                             << i % bits_in_word;
       const Mask is_in_sector = areInSectors (p, columns, i);
@@ -109,7 +113,9 @@ scanRunsHere (const PointRow& row,
       hn::BlendedStore (p.x, is_stray, Floats(), &columns.x[i]);
       hn::BlendedStore (p.y, is_stray, Floats(), &columns.y[i]);
     }
-    *run.nearest_square = hn::GetLane (hn::MinOfLanes (Floats(), smallest));
+    *run.extent = {hn::GetLane (hn::MinOfLanes (Floats(), smallest)),
+                   hn::GetLane (hn::MinOfLanes (Floats(), lowest)),
+                   hn::GetLane (hn::MaxOfLanes (Floats(), highest))};
   }
 }
 

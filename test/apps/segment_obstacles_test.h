@@ -39,7 +39,8 @@ readObstacles (const std::filesystem::path& file)
 {
   return readCsv (file,
                   "frame,obstacle,kind,points,distance_m,direction_rad,nearest_x_m,"
-                  "nearest_y_m,nearest_z_m,centroid_x_m,centroid_y_m,centroid_z_m");
+                  "nearest_y_m,nearest_z_m,centroid_x_m,centroid_y_m,centroid_z_m,"
+                  "min_height_m,max_height_m");
 }
 
 /** What the colours of a picture of obstacles mean. */

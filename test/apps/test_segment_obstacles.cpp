@@ -120,7 +120,7 @@ TEST_F (SegmentObstacles, ListAndJsonSayTheSame)
   double last = 0.;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const json& obstacle = frame["obstacles"][k];
-    ASSERT_EQ (rows[k].size(), 12u);
+    ASSERT_EQ (rows[k].size(), 14u);
     EXPECT_EQ (rows[k][0], "floor_obstacles_1");
     EXPECT_EQ (rows[k][1], std::to_string (k));
     EXPECT_EQ (rows[k][2], obstacle["kind"]);
@@ -131,6 +131,11 @@ TEST_F (SegmentObstacles, ListAndJsonSayTheSame)
       EXPECT_NEAR (std::stod (rows[k][6 + i]), obstacle["nearest_m"][i], 1e-4);
       EXPECT_NEAR (std::stod (rows[k][9 + i]), obstacle["centroid_m"][i], 1e-4);
     }
+    EXPECT_NEAR (std::stod (rows[k][12]), obstacle["min_height_m"], 1e-4);
+    EXPECT_NEAR (std::stod (rows[k][13]), obstacle["max_height_m"], 1e-4);
+    const double height = obstacle["centroid_m"][2];
+    EXPECT_LE (obstacle["min_height_m"], height);
+    EXPECT_GE (obstacle["max_height_m"], height);
     const double x = obstacle["nearest_m"][0], y = obstacle["nearest_m"][1];
     EXPECT_NEAR (std::hypot (x, y), obstacle["distance_m"], 1e-5);
     EXPECT_NEAR (std::atan2 (y, x), obstacle["direction_rad"], 1e-5);

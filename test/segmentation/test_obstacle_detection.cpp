@@ -54,6 +54,48 @@ TEST (ObstacleDetection, WhatSticksOutIsAnObstacle)
   }
 }
 
+TEST (ObstacleDetection, HeightsAreThoseOfTheLowestAndTheHighestPoint)
+{
+  Patch with_hole = floorAt (0.f);
+  with_hole.covers = [] (const Eigen::Vector3f& p) {
+    return p.x() < 1.7f || p.y() < 0.3f;
+  };
+  const auto lintel = box ({2.f, -2.f, 1.2f}, {2.2f, 0.f, 1.5f});
+  // A camera that is rolled as well, and images whose rows end within a vector.
+  for (const std::uint32_t width : {157u, 640u}) {
+    const FloorScene scene (std::vector<Patch>{with_hole, floorAt (-0.3f)} + a_box +
+                                lintel,
+                            cameraPose (1.f, 0.2f, 0.2f),
+                            width,
+                            kinectSigma);
+    Detection detection;
+    setInput (detection, scene);
+    const auto excluded = pcl::make_shared<pcl::Indices>();
+    for (const bool has_excluded : {false, true}) {
+      detection.setExcludedIndices (has_excluded ? excluded : nullptr);
+      std::vector<Obstacle> obstacles;
+      detection.detect (obstacles);
+      ASSERT_GE (obstacles.size(), 3u);
+      float lowest = 0.f, highest = 0.f;
+      for (const auto& obstacle : obstacles) {
+        std::vector<float> heights;
+        for (const auto i : obstacle.indices)
+          heights.push_back (
+              (scene.camera_to_base *
+               (*scene.cloud)[static_cast<std::size_t> (i)].getVector3fMap())
+                  .z());
+        const auto [low, high] = std::minmax_element (heights.begin(), heights.end());
+        EXPECT_NEAR (obstacle.min_height, *low, 1e-4f);
+        EXPECT_NEAR (obstacle.max_height, *high, 1e-4f);
+        lowest = std::min (lowest, obstacle.min_height);
+        highest = std::max (highest, obstacle.max_height);
+      }
+      EXPECT_LT (lowest, -0.25f) << "the hole";
+      EXPECT_GT (highest, 1.3f) << "the lintel";
+    }
+  }
+}
+
 TEST (ObstacleDetection, LowObstaclesInTheNoiseAreFound)
 {
   // 1 cm high where depth has a standard deviation of 3.2 mm.

@@ -29,6 +29,9 @@ struct Obstacle {
   float distance = 0.f;
   /** Of \a nearest, radians counterclockwise from the x axis: phi. */
   float direction = 0.f;
+  /** z of its lowest and of its highest point in the base frame, metres: what a robot that is
+   * lower than \a min_height drives under. */
+  float min_height = 0.f, max_height = 0.f;
 };
 
 /** \brief What part of the obstacles a virtual scan shows, in the base frame. */

@@ -132,8 +132,8 @@ private:
   std::vector<ObstacleClass> classes_;
   std::vector<Row> rows_;              // in turn
   std::vector<std::uint8_t> excluded_; // 1 for these points; empty without any
-  std::vector<float> nearest_; // squared distance of each run; infinite before its scan
-  std::vector<ScanRun> scan_runs_; // of the row at hand
+  std::vector<Extent> extents_;        // of each run; infinite before its scan
+  std::vector<ScanRun> scan_runs_;     // of the row at hand
   PointRow late_row_;
   // Of each obstacle.
   std::vector<std::size_t> nearest_runs_;

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -29,14 +30,20 @@ struct ScanColumns {
   std::vector<float> x, y;
 };
 
+/** \brief Where points are in the base frame. */
+struct Extent {
+  /** The square of the distance of the nearest point from the z axis. */
+  float nearest_square = std::numeric_limits<float>::infinity();
+  float lowest = std::numeric_limits<float>::infinity();
+  float highest = -std::numeric_limits<float>::infinity();
+};
+
 /** \brief Points \a begin to \a end - 1 of a row of an image. */
 struct ScanRun {
   std::size_t begin, end;
-  /** They count where their rays meet the floor. */
+  /** They count where their rays meet the floor, but for their heights. */
   bool are_below_floor;
-  /** Gets the square of the distance of the nearest point from the z axis of the base
-   * frame. */
-  float* nearest_square;
+  Extent* extent; // result
 };
 
 /** \brief Collects points into a virtual scan (Holz et al. 2011, sections 2 and 5.1).
