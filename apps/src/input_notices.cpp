@@ -4,6 +4,7 @@
 #include <pcl/apps/fit_camera.h>
 #include <pcl/apps/input_notices.h>
 #include <pcl/apps/statistics.h>
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 
 #include <boost/format.hpp>
@@ -76,7 +77,7 @@ InputNotices::add (const Frame& frame, const FrameSummary& summary)
     const DepthNoise& given = options_.depth_noise;
     const DepthNoise noise = noiseIn (viewPoints (cloud), {}, given);
     points_too_noisy_ += count ([&] (float squared_range) {
-      return 10.f * noise.sigma (squared_range) > std::sqrt (squared_range) &&
+      return 10.f * noise.sigmaAtSquare (squared_range) > std::sqrt (squared_range) &&
              squared_range <= given.maxSquaredRange();
     });
     noisy_frames_ += noise.constant >= DepthNoise::max_ratio * given.constant &&

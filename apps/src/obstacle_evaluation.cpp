@@ -101,7 +101,7 @@ ObstacleEvaluation::add (const ObstacleTruth& frame,
       continue;
     const double squared_range =
         obstacle.squared_ranges / static_cast<double> (obstacle.points);
-    const float sigma = noise_.sigma (static_cast<float> (squared_range));
+    const float sigma = noise_.sigmaAtSquare (static_cast<float> (squared_range));
     constexpr float rounding = 1e-4f;
     if (obstacle.top < std::max (min_height_m, max_sigmas * sigma) - rounding)
       continue;
@@ -117,7 +117,7 @@ ObstacleEvaluation::addFloorPoint (const float* point,
 {
   ++all_floor_points;
   all_false_points += is_obstacle;
-  const float sigma = noise_.sigma (truth.getVector3fMap().squaredNorm());
+  const float sigma = noise_.sigmaAtSquare (truth.getVector3fMap().squaredNorm());
   if (std::abs (point[2] - truth.z) > max_sigmas * sigma)
     return;
   ++floor_points;

@@ -57,7 +57,7 @@ noiseTable (const pcl::DepthNoiseEstimation& estimation)
   for (const auto& level : levels)
     table << std::setw (7) << std::setprecision (2) << level.range << std::setw (9)
           << level.blocks << std::setw (10) << 1000.f * level.sigma << std::setw (20)
-          << 1000.f * noise.sigma (level.range * level.range) << '\n';
+          << 1000.f * noise.sigmaAtSquare (level.range * level.range) << '\n';
   table << std::setprecision (5) << "--depth-noise " << noise.constant << ','
         << noise.quadratic << ',' << std::setprecision (1) << noise.normal_scatter
         << '\n';

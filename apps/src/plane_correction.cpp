@@ -70,7 +70,7 @@ project (const Cloud::ConstPtr& cloud,
   Projection projection;
   projection.setDirection (direction);
   projection.setInputCloud (cloud);
-  projection.setPlanes (models, labels);
+  projection.setInputPlanes (models, labels);
   Cloud result;
   projection.filter (result);
   return result;
@@ -84,7 +84,7 @@ fitPlanes (const TrueFrame& frame)
     if (frame.isInside (i)) {
       const pcl::PointXYZ& point = frame.cloud[i];
       const float squared_range = point.getVector3fMap().squaredNorm();
-      const float sigma = DepthNoise().sigma (squared_range);
+      const float sigma = DepthNoise().sigmaAtSquare (squared_range);
       moments[frame.truth.labels[i]].add (&point.x, squared_range / (sigma * sigma));
     }
   PlaneSet fits{{}, frame.truth.labels};

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
 #include <pcl/console/print.h>
-#include <pcl/features/depth_noise.h>
+#include <pcl/features/impl/frame_noise.h>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ errorOfRectangle (const OrganizedPoints& points,
   };
   const float square = squaredRange (points[first]);
   // That of an inverse range is sigma / range^2, to first order.
-  const float sigma = 2.f * noise.sigma (square) / square;
+  const float sigma = 2.f * noise.sigmaAtSquare (square) / square;
   return std::abs (inverseRange (first) - inverseRange (first + right) -
                    inverseRange (first + down) + inverseRange (first + right + down)) /
          sigma;
@@ -110,7 +110,7 @@ setDepthNoise (const std::string& class_name,
                const DepthNoise& value,
                DepthNoise& noise)
 {
-  const float sigma = value.sigma (1.f);
+  const float sigma = value.sigmaAtSquare (1.f);
   if (!(value.constant >= 0.f && value.quadratic >= 0.f && sigma > 0.f &&
         std::isfinite (sigma) && value.max_range > 0.f)) {
     PCL_ERROR ("[pcl::%s::setDepthNoise] The noise must be more than 0 m and the range "

@@ -153,8 +153,9 @@ AttachedParts::isPart (const ObjectCluster& cluster,
   const float high = valueAbove (
       heights_,
       static_cast<std::size_t> (low_share * static_cast<double> (heights_.size())));
-  const float least = std::max (parameters.min_object_height,
-                                sigmas * parameters.noise.sigma (squared_range));
+  const float least =
+      std::max (parameters.min_object_height,
+                sigmas * parameters.noise.sigmaAtSquare (squared_range));
   const bool stands_on_plane = low < stands * least && high > foot * least;
   const bool rests_on_other =
       high - low > least &&

@@ -69,7 +69,7 @@ FloorPlane::find (const OrganizedPoints& points,
   sample (points, planes, noise);
   for (const auto& point : points_) {
     Samples& samples = samples_[point.plane];
-    const float sigma = noise.sigma (squaredRange (point.point));
+    const float sigma = noise.sigmaAtSquare (squaredRange (point.point));
     samples.height += point.weight * heightAbove (height, point.point);
     samples.sigmas_in_base +=
         point.weight *
@@ -178,7 +178,7 @@ FloorPlane::compare (const LabelledPlanes& planes,
       continue;
     Samples& samples = samples_[point.plane];
     const float height = heightAbove (coefficients_, point.point);
-    const float sigma = noise.sigma (squaredRange (point.point));
+    const float sigma = noise.sigmaAtSquare (squaredRange (point.point));
     const float height_sigma =
         std::sqrt (heightVariance (point.point, coefficients_[3], noise));
     const bool is_tilted = samples.cosine < max_cos_tilted;
@@ -249,7 +249,7 @@ FloorPlane::addSteps (const DepthNoise& noise, std::size_t floor)
       Samples& samples = samples_[other.plane];
       samples.step += (heightAbove (coefficients_, other.point) -
                        heightAbove (coefficients_, on_floor.point)) /
-                      noise.sigma (squaredRange (other.point));
+                      noise.sigmaAtSquare (squaredRange (other.point));
       ++samples.borders;
     }
   }

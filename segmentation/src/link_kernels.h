@@ -49,7 +49,7 @@ struct LinkLimit {
     const Eigen::Map<const Eigen::Vector3f> from (p), to (q);
     const Eigen::Vector3f way = from - to;
     const float range = from.norm();
-    const float sigma = noise.sigma (range * range);
+    const float sigma = noise.sigmaAtSquare (range * range);
     const float rise = std::fabs (up.dot (from)) / range;
     const float run = std::sqrt (std::max (0.f, 1.f - rise * rise));
     const float climb = up.dot (way);

@@ -112,7 +112,7 @@ ObjectBoxFinder::viewFrom (float camera_height,
   const float squared_range = middle.squaredNorm() + fall * fall;
   View view;
   view.camera_height = camera_height;
-  view.sigma = noise.sigma (squared_range);
+  view.sigma = noise.sigmaAtSquare (squared_range);
   view.away = middle / std::sqrt (squared_range);
   view.rise = fall / std::sqrt (squared_range);
   const float spread = view.sigma * view.rise;

@@ -137,7 +137,7 @@ ObjectClusters::hasNoStep (std::uint32_t i,
 {
   constexpr float step_sigmas = 2.f;
   return heightAbove (support, i) - heightAbove (support, k) <
-         step_sigmas * parameters_.noise.sigma (squaredRange (points_[i])) *
+         step_sigmas * parameters_.noise.sigmaAtSquare (squaredRange (points_[i])) *
              std::fabs (elevationOf (points_[i], bases_.back()->plane.normal));
 }
 

@@ -163,9 +163,10 @@ ObjectClusters::pointsWellInside (const PointRun& run,
 {
   std::size_t count = 0;
   for (std::uint32_t i = run.first; i < run.first + run.length; ++i)
-    count += support.outline.depthOf (support.project (points_[i])) >
-             parameters_.hull_tolerance +
-                 clear_sigmas * parameters_.noise.sigma (squaredRange (points_[i]));
+    count +=
+        support.outline.depthOf (support.project (points_[i])) >
+        parameters_.hull_tolerance +
+            clear_sigmas * parameters_.noise.sigmaAtSquare (squaredRange (points_[i]));
   return count;
 }
 

@@ -21,7 +21,8 @@ bool
 areClose (const float* p, const float* q, const DepthNoise& noise)
 {
   const float way[] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  const float limit = max_gap_m + max_gap_sigmas * noise.sigma (squaredRange (p));
+  const float limit =
+      max_gap_m + max_gap_sigmas * noise.sigmaAtSquare (squaredRange (p));
   return squaredRange (way) <= limit * limit;
 }
 

@@ -142,7 +142,7 @@ ObstaclePoints::judgePlanes (const ObstacleFrame& frame,
     const float height = heightAbove (frame.floor.coefficients(), p);
     if (is_part) {
       const float limit =
-          part_point_sigmas * parameters_.noise.sigma (squaredRange (p));
+          part_point_sigmas * parameters_.noise.sigmaAtSquare (squaredRange (p));
       const float own_height = heightAbove (frame.planes.coefficients[plane], p);
       if (std::abs (height) <= limit || std::abs (own_height) <= limit)
         classes[i] = ObstacleClass::floor;

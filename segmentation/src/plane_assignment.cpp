@@ -246,7 +246,7 @@ PlaneAssignment::sumPixels (std::size_t size,
     moments_[plane.number].add (sums, number);
     const double square = sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3];
     const auto squared_range = static_cast<float> (square / (sums[0] * sums[0]));
-    const float sigma = noise.sigma (squared_range);
+    const float sigma = noise.sigmaAtSquare (squared_range);
     weighted_moments_[plane.number].add (sums, number, squared_range / (sigma * sigma));
   }
 }

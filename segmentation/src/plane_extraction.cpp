@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/segmentation/impl/plane_extraction.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ applyAdditions (PlaneExtractionParameters& parameters)
   if (!parameters.additions.creases)
     parameters.max_point_curvature = std::numeric_limits<double>::infinity();
   if (!parameters.additions.noise) {
-    parameters.noise.constant = parameters.noise.sigma (squared_usual_range);
+    parameters.noise.constant = parameters.noise.sigmaAtSquare (squared_usual_range);
     parameters.noise.quadratic = 0.f;
   }
 }
@@ -65,7 +66,7 @@ PlaneExtraction::compute (const OrganizedPoints& points,
   parameters_ = parameters;
   parameters_.noise = noiseIn (points, selected, parameters.noise);
   max_sigmas_ = static_cast<float> (parameters_.distanceThreshold()) /
-                parameters_.noise.sigma (1.f);
+                parameters_.noise.sigmaAtSquare (1.f);
   applyAdditions (parameters_);
   // Where errors are shared, the means of clusters and of sides of steps are less exact.
   cluster_scatter_ = std::sqrt (parameters_.noise.normal_scatter);

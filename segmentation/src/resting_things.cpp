@@ -97,7 +97,7 @@ RestingThings::extentOf (const ObjectCluster& thing, const SupportSurface& suppo
   std::nth_element (low, high, heights_.end());
   extent.high = *high;
   extent.middle /= count;
-  extent.sigma = parameters_.noise.sigma (squared_range / count);
+  extent.sigma = parameters_.noise.sigmaAtSquare (squared_range / count);
   rise = std::min (std::fabs (rise / count), 1.f);
   extent.low_if_round = 0.5f * (1.f - std::sqrt (1.f - rise * rise));
   return extent;

@@ -28,7 +28,7 @@ constexpr float height_sigmas = 3.f;
 float
 sigmasFrom (const Plane& plane, const Eigen::Vector3f& p, const DepthNoise& noise)
 {
-  return std::fabs (plane.distance (p.data())) / noise.sigma (p.squaredNorm());
+  return std::fabs (plane.distance (p.data())) / noise.sigmaAtSquare (p.squaredNorm());
 }
 
 } // namespace
@@ -54,7 +54,8 @@ SupportPlanes::compute (const OrganizedPoints& points,
     const Plane plane = optimise (points, planes[k], parameters.noise);
     const Eigen::Vector3f center = sample_.mean();
     const float height = up.dot (center) + camera_height;
-    const float noise = height_sigmas * parameters.noise.sigma (center.squaredNorm());
+    const float noise =
+        height_sigmas * parameters.noise.sigmaAtSquare (center.squaredNorm());
     const bool is_still_level = plane.normal.dot (up) >= min_cosine;
     const bool is_low = !(height >= parameters.min_plane_height - noise);
     const bool is_high = !(height <= parameters.max_plane_height + noise);
@@ -92,7 +93,7 @@ SupportPlanes::optimise (const OrganizedPoints& points,
 {
   sample_.clear();
   samplePoints (points, *segmented.inliers, ransac_points, [&] (const auto& p) {
-    sample_.add (p, ransac_sigmas * noise.sigma (p.squaredNorm()));
+    sample_.add (p, ransac_sigmas * noise.sigmaAtSquare (p.squaredNorm()));
   });
   Plane best = segmented.plane;
   if (sample_.size() < 3)
@@ -101,7 +102,7 @@ SupportPlanes::optimise (const OrganizedPoints& points,
   PlaneMoments moments;
   samplePoints (points, *segmented.inliers, refit_points, [&] (const auto& p) {
     const float squared_range = p.squaredNorm();
-    const float sigma = noise.sigma (squared_range);
+    const float sigma = noise.sigmaAtSquare (squared_range);
     if (std::fabs (best.distance (p.data())) < refit_sigmas * sigma)
       moments.add (p.data(), squared_range / (sigma * sigma));
   });

@@ -194,7 +194,7 @@ TEST_F (SegmentUsage, FramesWithFarMoreNoiseThanTheSensorAreTold)
   const auto errorsWith = [this] (float factor) {
     const auto scene = synthetic::render (
         {synthetic::tiltedPlane (1.5f, 0.f, 20.f)}, 640, 480, [factor] (float z) {
-          return factor * DepthNoise::kinectV1().sigma (z * z);
+          return factor * DepthNoise::kinectV1().sigmaAtSquare (z * z);
         });
     pcl::io::savePCDFileBinary (folder_ / "wall.pcd", *scene.cloud);
     return run ("wall.pcd").err;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/features/depth_noise.h>
+#include <pcl/features/impl/frame_noise.h>
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ tiltedWall (int width, int height, float factor, int measured = 1)
                   y = static_cast<float> (2 * v - height) / static_cast<float> (width);
       const float true_z = 1.5f / (1.f - 0.5f * x - 0.3f * y);
       const float range = true_z * std::sqrt (1.f + x * x + y * y);
-      const float noise = factor * DepthNoise().sigma (range * range) * error (random);
+      const float noise =
+          factor * DepthNoise().sigmaAtSquare (range * range) * error (random);
       const float z = true_z * (1.f + noise / range);
       const bool is_measured = (u + v) % measured == 0;
       for (const float value : {x * z, y * z, z})
@@ -46,7 +47,7 @@ noiseOf (const std::vector<float>& points,
          int height,
          const DepthNoise& noise)
 {
-  return noiseIn ({points.data(), 3, width, height}, {}, noise).sigma (1.f);
+  return noiseIn ({points.data(), 3, width, height}, {}, noise).sigmaAtSquare (1.f);
 }
 
 /** The preset is at most \a smaller below and \a larger above a published curve, in metres,
@@ -59,8 +60,8 @@ expectNear (const DepthNoise& noise,
             float larger)
 {
   for (float z = 0.5f; z <= end; z += 0.1f) {
-    EXPECT_GE (noise.sigma (z * z), published (z) - smaller) << z;
-    EXPECT_LE (noise.sigma (z * z), published (z) + larger) << z;
+    EXPECT_GE (noise.sigmaAtSquare (z * z), published (z) - smaller) << z;
+    EXPECT_LE (noise.sigmaAtSquare (z * z), published (z) + larger) << z;
   }
 }
 
@@ -72,7 +73,7 @@ TEST (DepthNoise, TheDefaultIsAKinectOfTheFirstKind)
     EXPECT_EQ (noise.constant, 0.001f);
     EXPECT_EQ (noise.quadratic, 0.002f);
     EXPECT_EQ (noise.max_range, INFINITY);
-    EXPECT_FLOAT_EQ (noise.sigma (9.f), 0.019f);
+    EXPECT_FLOAT_EQ (noise.sigmaAtSquare (9.f), 0.019f);
   }
   // Nguyen et al. 2012, table of axial noise.
   expectNear (
@@ -117,7 +118,7 @@ TEST (DepthNoise, PresetsEndWhereTheirSensorsDo)
 
 TEST (DepthNoise, FramesMayHaveMoreThanTheLeast)
 {
-  const float usual = DepthNoise().sigma (1.f);
+  const float usual = DepthNoise().sigmaAtSquare (1.f);
   for (const auto& [width, height] : {std::pair{640, 480}, {120, 160}}) {
     const std::vector<float> noisy = tiltedWall (width, height, 2.5f);
     EXPECT_NEAR (noiseOf (noisy, width, height, DepthNoise::kinectV1()),
@@ -144,13 +145,13 @@ TEST (DepthNoise, FineStructureIsHardlyTakenForNoise)
       if ((u + v) % 16 < 2 || (u - v + 480) % 16 < 2)
         std::for_each_n (
             &points[3 * (v * 640 + u)], 3, [] (float& value) { value *= 0.5f; });
-  const float usual = DepthNoise().sigma (1.f);
+  const float usual = DepthNoise().sigmaAtSquare (1.f);
   EXPECT_LE (noiseOf (points, 640, 480, DepthNoise::kinectV1()), 4.f * usual);
 }
 
 TEST (DepthNoise, MissingPointsSayNothingOfTheNoiseOfAFrame)
 {
-  const float usual = DepthNoise().sigma (1.f);
+  const float usual = DepthNoise().sigmaAtSquare (1.f);
   for (const float missing : {0.f,
                               std::numeric_limits<float>::quiet_NaN(),
                               std::numeric_limits<float>::infinity()}) {
@@ -170,7 +171,7 @@ TEST (DepthNoise, MissingPointsSayNothingOfTheNoiseOfAFrame)
  * scanner of few rows. */
 TEST (DepthNoise, FewMeasuredPointsTellTheNoiseOfAFrame)
 {
-  const float usual = DepthNoise().sigma (1.f);
+  const float usual = DepthNoise().sigmaAtSquare (1.f);
   const auto expectNoise = [&] (int width, int height, const auto& is_measured) {
     std::vector<float> points = tiltedWall (width, height, 2.5f);
     for (int v = 0; v < height; ++v)
@@ -207,8 +208,10 @@ TEST (DepthNoise, PointsThatAreNotSelectedSayNothingOfTheNoiseOfAFrame)
     }
   const DepthNoise least = DepthNoise::kinectV1();
   const pcl::rgbd_planes::OrganizedPoints image{points.data(), 3, 640, 480};
-  EXPECT_EQ (noiseIn (image, selected, least).sigma (1.f), least.sigma (1.f));
-  EXPECT_GT (noiseIn (image, {}, least).sigma (1.f), 3.f * least.sigma (1.f));
+  EXPECT_EQ (noiseIn (image, selected, least).sigmaAtSquare (1.f),
+             least.sigmaAtSquare (1.f));
+  EXPECT_GT (noiseIn (image, {}, least).sigmaAtSquare (1.f),
+             3.f * least.sigmaAtSquare (1.f));
 }
 
 TEST (DepthNoise, PointsBeyondTheRangeSayNothingOfTheNoiseOfAFrame)
@@ -222,12 +225,12 @@ TEST (DepthNoise, PointsBeyondTheRangeSayNothingOfTheNoiseOfAFrame)
       const float far = factor (random);
       std::for_each_n (&points[i], 3, [far] (float& value) { value *= far; });
     }
-  EXPECT_EQ (noiseOf (points, 640, 480, preset), preset.sigma (1.f));
+  EXPECT_EQ (noiseOf (points, 640, 480, preset), preset.sigmaAtSquare (1.f));
 }
 
 TEST (DepthNoise, WhatSaysNothingOfNoiseLeavesTheLeast)
 {
-  const float usual = DepthNoise().sigma (1.f);
+  const float usual = DepthNoise().sigmaAtSquare (1.f);
   const auto noiseOfWall = [] (int width, int height, int measured) {
     return noiseOf (tiltedWall (width, height, 5.f, measured),
                     width,

@@ -137,7 +137,7 @@ withNoise (const SimulatedFrame& frame, const pcl::rgbd_planes::DepthNoise& nois
   std::normal_distribution<float> normal;
   for (auto& point : cloud)
     point.getVector3fMap() *=
-        1.f + normal (generator) * noise.sigma (point.z * point.z) / point.z;
+        1.f + normal (generator) * noise.sigmaAtSquare (point.z * point.z) / point.z;
   return cloud;
 }
 
@@ -147,9 +147,10 @@ float
 meanTurn (float degrees, float noise)
 {
   const auto plane = synthetic::tiltedPlane (2.5f, degrees, 0.f);
-  const auto cloud = synthetic::render ({plane}, 640, 480, [=] (float z) {
-                       return noise * pcl::rgbd_planes::DepthNoise().sigma (z * z);
-                     }).cloud;
+  const auto cloud =
+      synthetic::render ({plane}, 640, 480, [=] (float z) {
+        return noise * pcl::rgbd_planes::DepthNoise().sigmaAtSquare (z * z);
+      }).cloud;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const auto& normal : estimate<Estimation> (cloud))
     if (pcl::isNormalFinite (normal))
@@ -252,7 +253,7 @@ TEST (TangentNormalAccuracy, PortraitImagesAreAsGood)
   for (const int width : {320, 640}) {
     const auto plane = synthetic::tiltedPlane (1.5f, 20.f, 30.f);
     const auto cloud = synthetic::render ({plane}, width, width * 3 / 4, [] (float z) {
-                         return pcl::rgbd_planes::DepthNoise().sigma (z * z);
+                         return pcl::rgbd_planes::DepthNoise().sigmaAtSquare (z * z);
                        }).cloud;
     const auto turned = pcl::make_shared<Cloud> (cloud->height, cloud->width);
     for (unsigned v = 0; v < cloud->height; ++v)

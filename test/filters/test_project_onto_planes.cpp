@@ -63,8 +63,8 @@ TEST (ProjectOntoPlanes, PointsMoveAlongTheirViewingRay)
   const auto cloud = points();
   Projection projection;
   projection.setInputCloud (cloud);
-  projection.setPlanes ({model (wall), model (slope)},
-                        {indices ({0, 3}), indices ({1})});
+  projection.setInputPlanes ({model (wall), model (slope)},
+                             {indices ({0, 3}), indices ({1})});
   Cloud output;
   projection.filter (output);
   ASSERT_EQ (output.size(), 4u);
@@ -87,7 +87,7 @@ TEST (ProjectOntoPlanes, OrAlongTheNormal)
   const std::uint32_t label_of[] = {0, 1, none, 0};
   for (std::size_t i = 0; i < 4; ++i)
     (*labels)[i].label = label_of[i];
-  projection.setPlanes ({model (3.f * wall), model (-slope)}, labels);
+  projection.setInputPlanes ({model (3.f * wall), model (-slope)}, labels);
   Cloud output;
   projection.filter (output);
   expectNear (output[0], {0.5f, -0.2f, 2.f});
@@ -103,7 +103,7 @@ TEST (ProjectOntoPlanes, WithoutARayPointsMoveAlongTheNormal)
   cloud->sensor_origin_.head<3>().setOnes();
   Projection projection;
   projection.setInputCloud (cloud);
-  projection.setPlanes ({model ({-1.f, -1.f, -1.f, 6.f})}, {indices ({0})});
+  projection.setInputPlanes ({model ({-1.f, -1.f, -1.f, 6.f})}, {indices ({0})});
   Cloud output;
   projection.filter (output);
   expectNear (output[0], {2.f, 2.f, 2.f});
@@ -117,7 +117,7 @@ TEST (ProjectOntoPlanes, AtGrazingAnglesPointsMoveAlongTheNormal)
     cloud->push_back ({0.f, 0.97f, z});
     Projection projection;
     projection.setInputCloud (cloud);
-    projection.setPlanes ({model (floor_plane)}, {indices ({0})});
+    projection.setInputPlanes ({model (floor_plane)}, {indices ({0})});
     Cloud output;
     projection.filter (output);
     if (z < 9.f)
@@ -139,7 +139,7 @@ TEST (ProjectOntoPlanes, PlanesThroughOrBehindTheCameraMoveNoPointFar)
     cloud->push_back ({0.01f, 0.02f, 0.1f});
     Projection projection;
     projection.setInputCloud (cloud);
-    projection.setPlanes ({model (plane)}, {indices ({0})});
+    projection.setInputPlanes ({model (plane)}, {indices ({0})});
     Cloud output;
     projection.filter (output);
     const Eigen::Vector3f p = (*cloud)[0].getVector3fMap();
@@ -158,7 +158,7 @@ TEST (ProjectOntoPlanes, OrganizationAndMissingPointsStay)
   (*cloud)[2].getVector3fMap() << 0.f, std::numeric_limits<float>::infinity(), 1.f;
   Projection projection;
   projection.setInputCloud (cloud);
-  projection.setPlanes ({model (wall)}, {indices ({0, 1, 2, 3})});
+  projection.setInputPlanes ({model (wall)}, {indices ({0, 1, 2, 3})});
   Cloud output;
   projection.filter (output);
   EXPECT_EQ (output.width, 2u);
@@ -180,7 +180,7 @@ TEST (ProjectOntoPlanes, WithIndicesOnlyThesePointsMove)
   Projection projection;
   projection.setInputCloud (points());
   projection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{3, 2}));
-  projection.setPlanes ({model (wall)}, {indices ({0, 3})});
+  projection.setInputPlanes ({model (wall)}, {indices ({0, 3})});
   Cloud output;
   projection.filter (output);
   ASSERT_EQ (output.size(), 4u);
@@ -194,10 +194,10 @@ TEST (ProjectOntoPlanes, WhatIsNoPlaneMovesNothing)
   projection.setInputCloud (points());
   pcl::ModelCoefficients three;
   three.values = {0.f, 0.f, 1.f};
-  projection.setPlanes ({model (Eigen::Vector4f (0.f, 0.f, 0.f, 1.f)),
-                         three,
-                         model (Eigen::Vector4f (0.f, 0.f, 1.f, not_a_number))},
-                        {indices ({0}), indices ({1}), indices ({3})});
+  projection.setInputPlanes ({model (Eigen::Vector4f (0.f, 0.f, 0.f, 1.f)),
+                              three,
+                              model (Eigen::Vector4f (0.f, 0.f, 1.f, not_a_number))},
+                             {indices ({0}), indices ({1}), indices ({3})});
   Cloud output;
   projection.filter (output);
   ASSERT_EQ (output.size(), 4u);
@@ -210,8 +210,8 @@ TEST (ProjectOntoPlanes, CoefficientsMayHaveAnyLength)
   for (const float length : {1e-30f, 1.f, 1e30f}) {
     Projection projection;
     projection.setInputCloud (points());
-    projection.setPlanes ({model (length * Eigen::Vector4f (0.f, 0.f, 1.f, -2.f))},
-                          {indices ({0, 3})});
+    projection.setInputPlanes ({model (length * Eigen::Vector4f (0.f, 0.f, 1.f, -2.f))},
+                               {indices ({0, 3})});
     Cloud output;
     projection.filter (output);
     for (const std::size_t i : {0, 3})
@@ -227,15 +227,15 @@ TEST (ProjectOntoPlanes, LabelsTakeThePlaceOfIndicesAndBack)
     point.getVector3fMap() << 0.f, 0.f, 2.1f;
   const auto labels = pcl::make_shared<Labels> (2, 1);
   (*labels)[1].label = 1;
-  projection.setPlanes ({model (wall)}, {indices ({3})}); // of another cloud
-  projection.setPlanes ({model (wall)}, labels);
+  projection.setInputPlanes ({model (wall)}, {indices ({3})}); // of another cloud
+  projection.setInputPlanes ({model (wall)}, labels);
   projection.setInputCloud (two);
   Cloud output;
   projection.filter (output);
   ASSERT_EQ (output.size(), 2u);
   EXPECT_EQ (output[0].z, 2.f);
   EXPECT_EQ (output[1].z, 2.1f);
-  projection.setPlanes ({model (wall)}, {indices ({1})});
+  projection.setInputPlanes ({model (wall)}, {indices ({1})});
   projection.filter (output);
   ASSERT_EQ (output.size(), 2u);
   EXPECT_EQ (output[0].z, 2.1f);
@@ -256,13 +256,13 @@ TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
     EXPECT_EQ (std::count (error.begin(), error.end(), '\n'), 1) << error;
   };
   projection.setInputCloud (points());
-  projection.setPlanes ({model (wall)}, Labels::ConstPtr());
+  projection.setInputPlanes ({model (wall)}, Labels::ConstPtr());
   expectRefused ("There are 1 planes and 0 lists of their points");
-  projection.setPlanes ({model (wall)}, pcl::make_shared<Labels> (3, 1));
+  projection.setInputPlanes ({model (wall)}, pcl::make_shared<Labels> (3, 1));
   expectRefused ("The input has 4 points and 3 labels");
-  projection.setPlanes ({model (wall)}, {indices ({4})});
+  projection.setInputPlanes ({model (wall)}, {indices ({4})});
   expectRefused ("A point of a plane lies outside of the input cloud of 4 points");
-  projection.setPlanes ({model (wall)}, {indices ({0})});
+  projection.setInputPlanes ({model (wall)}, {indices ({0})});
   projection.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{-1}));
   expectRefused ("An index lies outside of the input cloud: give indices from 0");
   projection.setIndices (pcl::IndicesPtr());
@@ -272,7 +272,7 @@ TEST (ProjectOntoPlanes, BadInputGivesAnEmptyOutput)
   expectRefused ("The sensor_origin_ of the input cloud is not finite");
   auto image = pcl::make_shared<Cloud> (2, 3), turned = pcl::make_shared<Cloud> (3, 2);
   auto labels = pcl::make_shared<Labels> (3, 2);
-  projection.setPlanes ({model (wall)}, labels);
+  projection.setInputPlanes ({model (wall)}, labels);
   projection.setInputCloud (image);
   expectRefused ("The input has 2 x 3 points and 3 x 2 labels");
   projection.setInputCloud (turned);

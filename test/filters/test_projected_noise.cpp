@@ -49,8 +49,8 @@ addNoise (const pcl::PointCloud<pcl::PointXYZRGB>& ideal)
   std::mt19937 generator (1);
   std::normal_distribution<float> gauss;
   for (auto& point : *cloud) {
-    const float sigma =
-        pcl::rgbd_planes::DepthNoise().sigma (point.getVector3fMap().squaredNorm());
+    const float sigma = pcl::rgbd_planes::DepthNoise().sigmaAtSquare (
+        point.getVector3fMap().squaredNorm());
     point.getVector3fMap() *= 1.f + sigma * gauss (generator) / point.z;
   }
   return cloud;
@@ -93,7 +93,7 @@ TEST (ProjectedNoise, OfFarPlanesFallsFivefold)
 
     pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
     projection.setInputCloud (cloud);
-    projection.setPlanes (planes, inliers);
+    projection.setInputPlanes (planes, inliers);
     Cloud corrected;
     projection.filter (corrected);
     Residuals residuals;

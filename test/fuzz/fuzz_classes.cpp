@@ -216,7 +216,8 @@ private:
       return;
     pcl::rgbd_planes::DepthNoise noise;
     if (noise_estimation_.estimate (noise))
-      expect (noise.sigma (1.f) > 0.f && std::isfinite (noise.sigma (1.f)) &&
+      expect (noise.sigmaAtSquare (1.f) > 0.f &&
+              std::isfinite (noise.sigmaAtSquare (1.f)) &&
               noise.normal_scatter >= 1.f &&
               noise.normal_scatter <= pcl::rgbd_planes::DepthNoise::max_normal_scatter);
   }
@@ -276,9 +277,9 @@ private:
     apply (to_base_);
     projection_.setMaxRayFactor (anyFloat (data_));
     if (data_.ConsumeBool())
-      projection_.setPlanes (planes_, inliers_);
+      projection_.setInputPlanes (planes_, inliers_);
     else
-      projection_.setPlanes (planes_, labels_);
+      projection_.setInputPlanes (planes_, labels_);
     apply (projection_);
     correction_.setDepthNoise (anyNoise (data_));
     if (data_.ConsumeBool())

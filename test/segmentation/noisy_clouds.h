@@ -32,7 +32,7 @@ renderNoisy (const std::vector<Surface>& surfaces,
   for (auto& point : cloud) {
     const float squares = point.getVector3fMap().squaredNorm();
     point.getVector3fMap() *=
-        1.f + gauss (generator) * noise.sigma (squares) / std::sqrt (squares);
+        1.f + gauss (generator) * noise.sigmaAtSquare (squares) / std::sqrt (squares);
   }
   return cloud;
 }

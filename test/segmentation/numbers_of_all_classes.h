@@ -164,7 +164,7 @@ private:
     obstacle_filter_.filter (output);
     add ("obstacle points", output);
     projection_.setInputCloud (cloud_);
-    projection_.setPlanes (models_, inliers_);
+    projection_.setInputPlanes (models_, inliers_);
     projection_.filter (output);
     add ("projected points", output);
     correction_.clearFrames();

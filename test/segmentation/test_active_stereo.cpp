@@ -118,7 +118,10 @@ TEST (ActiveStereo, ItsNoiseIsThePreset)
     DepthNoise noise;
     ASSERT_TRUE (measured->estimate (noise));
     for (const float range : {1.f, 2.f, 3.f, 5.f})
-      EXPECT_NEAR (noise.sigma (range * range) / preset.sigma (range * range), 1., 0.25)
+      EXPECT_NEAR (noise.sigmaAtSquare (range * range) /
+                       preset.sigmaAtSquare (range * range),
+                   1.,
+                   0.25)
           << range;
     EXPECT_NEAR (noise.normal_scatter / preset.normal_scatter, 1., 0.2);
   }

@@ -272,7 +272,7 @@ TEST (CurvedPatches, ACeilingSeenAtAFlatAngleIsNone)
 TEST (CurvedPatches, AWallInTheNoiseOfActiveStereoIsNone)
 {
   const auto noise = pcl::rgbd_planes::DepthNoise::activeStereo();
-  const auto sigma = [=] (float z) { return 1.2f * noise.sigma (z * z); };
+  const auto sigma = [=] (float z) { return 1.2f * noise.sigmaAtSquare (z * z); };
   const auto wall = render ({tiltedPlane (3.5f, 30.f, 0.f)}, 640, 480, sigma).cloud;
   EXPECT_EQ (numberOfPlanes (wall, noise), 1u);
 }
@@ -302,7 +302,8 @@ TEST (CurvedPatches, ABoardWhoseNormalsScatterAsWithActiveStereoIsNone)
             at (left, top) + (u - left) * (at (left + 1, top) - at (left, top));
         const float below = at (left, top + 1) +
                             (u - left) * (at (left + 1, top + 1) - at (left, top + 1));
-        return 1.f + 1.5f * noise.sigma (1.f) * (above + (v - top) * (below - above));
+        return 1.f +
+               1.5f * noise.sigmaAtSquare (1.f) * (above + (v - top) * (below - above));
       },
       0,
       640);

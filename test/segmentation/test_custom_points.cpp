@@ -122,7 +122,7 @@ TEST (CustomPoints, GoThroughDetectionAndAllFilters)
 
   pcl::ProjectOntoPlanes<WarmPoint> projection;
   projection.setInputCloud (cloud);
-  projection.setPlanes (scene.planes, scene.labels);
+  projection.setInputPlanes (scene.planes, scene.labels);
   projection.filter (output);
   EXPECT_EQ (output.back().temperature, cloud->back().temperature);
   EXPECT_LT ((output.back().getVector3fMap() - cloud->back().getVector3fMap()).norm(),

@@ -54,7 +54,10 @@ TEST (DepthNoiseEstimation, TwiceTheDeviationOfPixels)
       EXPECT_EQ (estimation.getNumberOfFrames(), 7u);
       const DepthNoise noise = estimate (estimation);
       for (const float range : {0.7f, 1.f, 2.f, 4.f})
-        EXPECT_NEAR (noise.sigma (range * range) / truth.sigma (range * range), 2., 0.3)
+        EXPECT_NEAR (noise.sigmaAtSquare (range * range) /
+                         truth.sigmaAtSquare (range * range),
+                     2.,
+                     0.3)
             << truth.constant << ' ' << truth.quadratic << " at " << range;
       EXPECT_EQ (noise.max_range, INFINITY);
       EXPECT_EQ (noise.normal_scatter, 1.f) << "pixels share no errors";
@@ -62,7 +65,8 @@ TEST (DepthNoiseEstimation, TwiceTheDeviationOfPixels)
       for (const auto& level : estimation.getLevels()) {
         EXPECT_GT (level.range, last);
         EXPECT_GE (level.blocks, 20u);
-        EXPECT_NEAR (level.sigma / truth.sigma (level.range * level.range), 1., 0.2);
+        EXPECT_NEAR (
+            level.sigma / truth.sigmaAtSquare (level.range * level.range), 1., 0.2);
         last = level.range;
       }
     }
@@ -78,7 +82,10 @@ TEST (DepthNoiseEstimation, ASimulatedKinectIsTheFirstPreset)
                .cloud);
   const DepthNoise noise = estimate (estimation), preset = DepthNoise::kinectV1();
   for (const float range : {1.f, 2.f, 3.f, 5.f})
-    EXPECT_NEAR (noise.sigma (range * range) / preset.sigma (range * range), 1., 0.25)
+    EXPECT_NEAR (noise.sigmaAtSquare (range * range) /
+                     preset.sigmaAtSquare (range * range),
+                 1.,
+                 0.25)
         << range;
   EXPECT_NEAR (noise.normal_scatter, 1., 0.2);
 }
@@ -128,7 +135,7 @@ TEST (DepthNoiseEstimation, RowsOfALaserScannerAreFew)
   estimation.addFrame (cloud);
   const DepthNoise noise = estimate (estimation);
   for (const float range : {1.5f, 2.f, 4.f})
-    EXPECT_NEAR (noise.sigma (range * range) / sigma, 2., 0.4) << range;
+    EXPECT_NEAR (noise.sigmaAtSquare (range * range) / sigma, 2., 0.4) << range;
 }
 
 TEST (DepthNoiseEstimation, WithoutNoiseWhatNumbersAllow)
@@ -152,8 +159,8 @@ TEST (DepthNoiseEstimation, StepsOfDepthAreErrors)
       EXPECT_TRUE (estimation.addFrame (cloud));
     }
     const float uniform = step / std::sqrt (12.f);
-    EXPECT_GT (estimate (estimation).sigma (1.f), uniform) << tilt;
-    EXPECT_LT (estimate (estimation).sigma (1.f), 3.f * uniform) << tilt;
+    EXPECT_GT (estimate (estimation).sigmaAtSquare (1.f), uniform) << tilt;
+    EXPECT_LT (estimate (estimation).sigmaAtSquare (1.f), 3.f * uniform) << tilt;
   }
 }
 

@@ -81,7 +81,7 @@ struct Image {
     const float z = xyz[4 * i + 2], other = xyz[4 * (i - 2 * step) + 2];
     return isSameThing (i, i - 2 * step) &&
            classes[i - step] == ObstacleClass::unmeasured &&
-           std::abs (z - other) <= 0.05f + 3.f * DepthNoise().sigma (z * z);
+           std::abs (z - other) <= 0.05f + 3.f * DepthNoise().sigmaAtSquare (z * z);
   }
 };
 

@@ -48,7 +48,7 @@ measure (const Setting& setting, int times)
   Ours segmentation;
   segmentation.setMinInliers (1000);
   segmentation.setDepthNoise (setting.noise);
-  segmentation.setDistanceThreshold (4. * setting.noise.sigma (1.f));
+  segmentation.setDistanceThreshold (4. * setting.noise.sigmaAtSquare (1.f));
   segmentation.setInputNormals (trueNormals (scene, surfaces));
   std::mt19937 generator (5);
   std::normal_distribution<float> gauss;
@@ -58,7 +58,7 @@ measure (const Setting& setting, int times)
     for (auto& point : *cloud) {
       const float range = point.getVector3fMap().norm();
       point.getVector3fMap() *=
-          1.f + setting.noise.sigma (range * range) * gauss (generator) / range;
+          1.f + setting.noise.sigmaAtSquare (range * range) * gauss (generator) / range;
     }
     segmentation.setInputCloud (cloud);
     std::vector<pcl::ModelCoefficients> models;

@@ -161,7 +161,7 @@ TEST (PlaneSettings, NoisySensorsHaveAWiderThreshold)
 {
   const pcl::rgbd_planes::DepthNoise noise{0.004f, 0.004f};
   const Scene scene = render ({tiltedPlane (1.f, 0.f, 30.f)}, 640, 480, [&] (float z) {
-    return noise.sigma (z * z);
+    return noise.sigmaAtSquare (z * z);
   });
   Ours segmentation;
   segmentation.setDepthNoise (noise);

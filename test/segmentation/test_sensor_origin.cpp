@@ -58,7 +58,7 @@ struct Results {
     classes = detection.getClasses();
     pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
     projection.setInputCloud (cloud);
-    projection.setPlanes (models, inliers);
+    projection.setInputPlanes (models, inliers);
     projection.filter (projected);
   }
 

@@ -105,7 +105,7 @@ main (int argc, char** argv)
   // [project]
   pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
   projection.setInputCloud (corrected);
-  projection.setPlanes (planes.models, planes.inliers);
+  projection.setInputPlanes (planes.models, planes.inliers);
   Cloud smooth;
   projection.filter (smooth);
   pcl::io::savePCDFileBinaryCompressed ("corrected.pcd", smooth);

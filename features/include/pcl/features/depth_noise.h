@@ -3,14 +3,8 @@
 
 #pragma once
 
-#include <pcl/features/impl/organized_view.h>
-#include <pcl/features/rgbd_planes_exports.h>
-
 #include <algorithm>
-#include <cstdint>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -21,8 +15,8 @@ namespace rgbd_planes {
  * The defaults are the figures of kinectV1 (), but taken as they are. All presets describe the
  * random error of matt surfaces that face the sensor indoors; sunlight, dark or shiny surfaces
  * and grazing views add to it. So presets are lower bounds (is_least): planes, objects and
- * obstacles measure each frame, and take its noise where it is larger (noiseIn()). Figures of
- * your own are taken as they are.
+ * obstacles measure each frame, and take its noise where it is larger, up to \ref max_ratio times.
+ * Figures of your own are taken as they are.
  *
  * For a stereo camera, the quadratic part is the error of disparity divided by focal length and
  * baseline: 0.1 px / (640 px * 0.05 m) = 3.1 mm. Take what this gives for yours, with the
@@ -36,9 +30,9 @@ struct DepthNoise {
   /** In metres at a range of 1 m. */
   float quadratic = 0.002f;
   /** Points further away are not used, in metres; nor are those where the quadratic part
-   * of the noise is more than a tenth of the range (noiseIn()). */
+   * of the noise is more than a tenth of the range. */
   float max_range = std::numeric_limits<float>::infinity();
-  /** Whether frames may have more: see noiseIn(). */
+  /** Whether frames may have more, which is measured. */
   bool is_least = false;
   /** How many times as far as with a Kinect v1 the normals of flat surfaces scatter, 1 to 5:
    * where errors of pixels are like those of their neighbours, means over windows have more. */
@@ -63,7 +57,7 @@ struct DepthNoise {
   /** \brief The standard deviation in metres at the square root of \a squared_range, in
    * metres^2. */
   float
-  sigma (float squared_range) const
+  sigmaAtSquare (float squared_range) const
   {
     return constant + quadratic * squared_range;
   }
@@ -149,32 +143,6 @@ struct DepthNoise {
     return {0.0005f, 0.003f, 5.f, true, 2.5f};
   }
 };
-
-/** \brief The noise of a frame: \a noise itself or, where that is the least and the frame is
- * noisier, \a noise times their ratio, up to 4: more is fine structure, as of a fence or leaves.
- *
- * The ratio is a median over small rectangles of the image. What counts is the inverse range at
- * two opposite corners less that at the other two, which is 0 on planes and on cylinders along
- * the image, divided by the standard deviation that \a noise predicts for it. Errors that are
- * smooth over an eightieth of the image's longer side are not seen. Where fewer than a hundred
- * rectangles have all their corners, the noise is taken for the least. Where the
- * quadratic part of the noise is more than a tenth of the range, depth is beyond that of the
- * result.
- *
- * \param[in] selected not 0 for the points to look at; empty for all
- */
-PCL_RGBD_PLANES_EXPORTS DepthNoise
-noiseIn (const OrganizedPoints& points,
-         const std::vector<std::uint8_t>& selected,
-         const DepthNoise& noise);
-
-/** \brief What setters of the noise of a sensor do: \a noise becomes \a value. One that is
- * negative, 0 at a range of 1 m, not finite, without a range, or with a scatter of normals that is
- * not 1 to 5: an error message, and the noise before stays. */
-PCL_RGBD_PLANES_EXPORTS void
-setDepthNoise (const std::string& class_name,
-               const DepthNoise& value,
-               DepthNoise& noise);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/features/impl/tangent_normals.h>
 #include <pcl/features/impl/threads.h>
 #include <pcl/features/normal_estimation_base.h>

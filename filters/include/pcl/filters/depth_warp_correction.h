@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/filter.h>
 #include <pcl/filters/impl/depth_warp.h>

@@ -24,7 +24,7 @@ namespace pcl {
  * \code
  * pcl::ProjectOntoPlanes<pcl::PointXYZ> projection;
  * projection.setInputCloud (cloud);
- * projection.setPlanes (model_coefficients, inlier_indices); // or with labels
+ * projection.setInputPlanes (model_coefficients, inlier_indices); // or with labels
  * projection.filter (*corrected);
  * \endcode
  *
@@ -71,16 +71,16 @@ public:
    * onto the last of them
    */
   void
-  setPlanes (const std::vector<ModelCoefficients>& model_coefficients,
-             const std::vector<PointIndices>& inlier_indices);
+  setInputPlanes (const std::vector<ModelCoefficients>& model_coefficients,
+                  const std::vector<PointIndices>& inlier_indices);
 
   /** \brief The planes in the frame of the input and their points.
    * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
    * \param[in] labels the plane of each point of the input, or a number beyond
    */
   void
-  setPlanes (const std::vector<ModelCoefficients>& model_coefficients,
-             const Labels::ConstPtr& labels);
+  setInputPlanes (const std::vector<ModelCoefficients>& model_coefficients,
+                  const Labels::ConstPtr& labels);
 
   /** \brief Default Direction::viewing_ray. */
   void

@@ -5,6 +5,7 @@
 
 // Programs have pcl::deg2rad from the header of OrganizedMultiPlaneSegmentation.
 #include <pcl/common/angles.h>
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/features/impl/sensor_points.h>
 #include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/rgbd_planes_exports.h>
@@ -147,7 +148,7 @@ public:
    * range of 1 m; more than 0. It grows with range as the noise of the sensor does: 0.02, a
    * usual value for PCL's class, is 0.22 m at 4 m. The default is 0.009, or 1.5 standard
    * deviations of that noise if it is less, or 4.5 if it is more; in frames with more noise than
-   * the sensor has at least, those of that (rgbd_planes::noiseIn()). Amid the plane points may
+   * the sensor has at least, those of that. Amid the plane points may
    * lie 1.15 times as far, at its borders 0.9 times. A plane that is seen at less than 6 degrees
    * counts as seen at 6, so that points on it may lie farther along the ray. */
   void

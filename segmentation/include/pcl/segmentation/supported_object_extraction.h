@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/features/impl/sensor_points.h>
 #include <pcl/features/impl/set_parameter.h>
 #include <pcl/features/rgbd_planes_exports.h>

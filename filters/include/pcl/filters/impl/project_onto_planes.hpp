@@ -14,7 +14,7 @@ namespace pcl {
 
 template <typename PointT>
 void
-ProjectOntoPlanes<PointT>::setPlanes (
+ProjectOntoPlanes<PointT>::setInputPlanes (
     const std::vector<ModelCoefficients>& model_coefficients,
     const std::vector<PointIndices>& inlier_indices)
 {
@@ -25,7 +25,7 @@ ProjectOntoPlanes<PointT>::setPlanes (
 
 template <typename PointT>
 void
-ProjectOntoPlanes<PointT>::setPlanes (
+ProjectOntoPlanes<PointT>::setInputPlanes (
     const std::vector<ModelCoefficients>& model_coefficients,
     const Labels::ConstPtr& labels)
 {
@@ -42,17 +42,17 @@ ProjectOntoPlanes<PointT>::faultOfPlanes() const
   if (labels_ && !rgbd_planes::areOfPoints (labels_.get(), *input_))
     return "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
            " points and " + rgbd_planes::numberOfPoints (labels_.get()) +
-           " labels: pass a label for each point to setPlanes.";
+           " labels: pass a label for each point to setInputPlanes.";
   if (!labels_ && inliers_.size() != planes_.size())
     return "There are " + std::to_string (planes_.size()) + " planes and " +
            std::to_string (inliers_.size()) +
            " lists of their points: pass a label for each point, or the indices of the "
-           "points of each plane, to setPlanes.";
+           "points of each plane, to setInputPlanes.";
   for (const auto& inliers : inliers_)
     if (!rgbd_planes::indicesInside (inliers.indices, size))
       return "A point of a plane lies outside of the input cloud of " +
              std::to_string (size) +
-             " points: pass the planes of this cloud to setPlanes.";
+             " points: pass the planes of this cloud to setInputPlanes.";
   return {};
 }
 

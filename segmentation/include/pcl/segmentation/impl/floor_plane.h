@@ -45,7 +45,7 @@ inline float
 heightVariance (const float* point, float camera_height, const DepthNoise& noise)
 {
   const float squared_range = squaredRange (point);
-  const float sigma = camera_height * noise.sigma (squared_range);
+  const float sigma = camera_height * noise.sigmaAtSquare (squared_range);
   const float variance = sigma * sigma / squared_range;
   return squared_range <= noise.maxSquaredRange()
              ? variance

@@ -5,6 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/first_in_a_row.h>
+#include <pcl/features/impl/frame_noise.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/obstacle_detection.h>
 

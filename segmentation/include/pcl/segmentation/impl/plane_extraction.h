@@ -60,7 +60,7 @@ struct PlaneExtractionParameters {
   double
   distanceThreshold () const
   {
-    const double sigma = noise.sigma (1.f);
+    const double sigma = noise.sigmaAtSquare (1.f);
     return distance_threshold > 0. ? distance_threshold
                                    : std::clamp (0.009, 1.5 * sigma, 4.5 * sigma);
   }

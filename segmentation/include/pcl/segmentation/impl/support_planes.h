@@ -71,7 +71,7 @@ isWithinNoise (const float* p,
 {
   // The ray of length 1 rises by (height - d) / range: without division and root.
   const float squared = squaredRange (p);
-  const float rise = sigmas * noise.sigma (squared) * (height - plane.d);
+  const float rise = sigmas * noise.sigmaAtSquare (squared) * (height - plane.d);
   return height * height * squared <= rise * rise;
 }
 
