@@ -23,6 +23,9 @@ namespace rgbd_planes {
  * normal_scatter of activeStereo (), or what pcl::DepthNoiseEstimation measures: an error twice as
  * large as set makes objects of bare tables. For depth without noise, as simulators give it, and
  * in whole millimetres, take 0.5 mm + 0.5 mm z^2. Below 0.1 mm, single precision is not enough.
+ *
+ * Setters refuse what is negative, 0 at a range of 1 m, not finite, without a range, or with a
+ * scatter of normals that is not 1 to 5: an error message, and the noise before stays.
  */
 struct DepthNoise {
   /** In metres. */

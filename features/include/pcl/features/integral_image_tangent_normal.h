@@ -179,7 +179,7 @@ public:
 
   /** \brief The noise of the sensor, which tells neighbouring surfaces apart; default
    * rgbd_planes::DepthNoise::kinectV1 (). Normals are computed beyond its range as well.
-   * What rgbd_planes::setDepthNoise() refuses: an error message, and the noise before stays. */
+   * One that is not valid: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

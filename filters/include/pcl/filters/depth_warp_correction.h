@@ -112,7 +112,7 @@ public:
   /** \brief The errors of measured depth, which tell how large the warp may be: without a
    * quadratic part, nothing is corrected. Default: DepthNoise::kinectV1 (). Counts from the
    * next frame on; points beyond its range tell nothing.
-   * What rgbd_planes::setDepthNoise() refuses: an error message, and the noise before stays. */
+   * One that is not valid: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

@@ -148,9 +148,9 @@ public:
    * range of 1 m; more than 0. It grows with range as the noise of the sensor does: 0.02, a
    * usual value for PCL's class, is 0.22 m at 4 m. The default is 0.009, or 1.5 standard
    * deviations of that noise if it is less, or 4.5 if it is more; in frames with more noise than
-   * the sensor has at least, those of that. Amid the plane points may
-   * lie 1.15 times as far, at its borders 0.9 times. A plane that is seen at less than 6 degrees
-   * counts as seen at 6, so that points on it may lie farther along the ray. */
+   * the sensor has at least, those of that. Amid the plane points may lie 1.15 times as far, at its
+   * borders 0.9 times. A plane that is seen at less than 6 degrees counts as seen at 6, so that
+   * points on it may lie farther along the ray. */
   void
   setDistanceThreshold (double distance_threshold);
 
@@ -220,8 +220,8 @@ public:
   }
 
   /** \brief The noise of the sensor, which says how far the points of a plane spread; default
-   * rgbd_planes::DepthNoise::kinectV1 (). Points beyond its range are on no plane. What
-   * rgbd_planes::setDepthNoise() refuses: an error message, and the noise before stays. */
+   * rgbd_planes::DepthNoise::kinectV1 (). Points beyond its range are on no plane. One that is not
+   * valid: an error message, and the noise before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {
