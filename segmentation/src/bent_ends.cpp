@@ -90,6 +90,7 @@ BentEnds::lookAround (const PlaneSamples& samples,
                       const std::vector<PlaneMoments>& parts)
 {
   around_.assign (parts.size(), Surroundings());
+  meetings_.clear();
   visitSurroundings (
       samples, owners, is_small_, [&] (std::int32_t beside, std::size_t i) {
         Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
@@ -98,6 +99,7 @@ BentEnds::lookAround (const PlaneSamples& samples,
         if (beside < 0)
           return;
         ++around.of_planes;
+        meetings_.push_back ({i, beside});
         // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
         if (around.votes == 0)
           around.plane = beside;
@@ -107,17 +109,15 @@ BentEnds::lookAround (const PlaneSamples& samples,
     if (around.plane != none)
       around.inverse_distance =
           parts[static_cast<std::size_t> (around.plane)].inverseDistance();
-  visitSurroundings (
-      samples, owners, is_small_, [&] (std::int32_t beside, std::size_t i) {
-        Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
-        if (beside < 0 || beside != around.plane)
-          return;
-        const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
-        const double error = 1. - around.inverse_distance.dot (p.cast<double>());
-        around.squared_errors +=
-            error * error * static_cast<double> (samples.weight[i]);
-        ++around.of_plane;
-      });
+  for (const auto& [i, beside] : meetings_) {
+    Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
+    if (beside != around.plane)
+      continue;
+    const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
+    const double error = 1. - around.inverse_distance.dot (p.cast<double>());
+    around.squared_errors += error * error * static_cast<double> (samples.weight[i]);
+    ++around.of_plane;
+  }
 }
 
 bool

@@ -70,7 +70,14 @@ private:
   bool
   isEnd (std::size_t part, const std::vector<PlaneMoments>& parts) const;
 
+  /** A sample of a small part, and the part that is next to it. */
+  struct Meeting {
+    std::size_t sample;
+    std::int32_t beside;
+  };
+
   std::vector<bool> is_small_;
+  std::vector<Meeting> meetings_;
   std::vector<Surroundings> around_;
   std::vector<PlaneMoments> planes_;
   std::vector<std::int32_t> plane_of_part_;
