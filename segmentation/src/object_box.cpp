@@ -19,8 +19,10 @@ namespace {
 // What follows is in standard deviations of depth, as far as it shows in a direction.
 /** Noise spreads a face of a box, or its top, by so much. */
 constexpr float face_sigmas = 4.f;
-/** Points so far below the top are not of it. */
+/** Points so far below or above the top are not of it. */
 constexpr float top_sigmas = 2.f;
+/** What is known of the top after so many steps does not change much. */
+constexpr int top_steps = 2;
 /** The far end is not shifted by more. */
 constexpr float far_sigmas = 3.f;
 /** What is no deeper may be a front alone. */
@@ -28,7 +30,7 @@ constexpr float front_sigmas = 5.f;
 
 /** So many points at least are of a face that is seen, and so many of a top. */
 constexpr float min_front_part = 0.05f;
-constexpr std::size_t min_top_points = 20;
+constexpr std::size_t min_top_points = 10;
 
 /** The mean of some values. */
 struct Mean {
@@ -121,20 +123,30 @@ ObjectBoxFinder::viewFrom (float camera_height,
     if (h >= height - face_sigmas * spread)
       top.add (h);
   view.top = top.value();
-  view.below_top = view.top - top_sigmas * spread;
+  view.top_margin = top_sigmas * spread;
+  // The upper rows of a front pull the mean down, and those of a wall behind the thing up.
+  for (int step = 0; step < top_steps; ++step) {
+    Mean near;
+    for (const float h : heights_)
+      if (std::fabs (h - view.top) <= view.top_margin)
+        near.add (h);
+    if (near.count > 0)
+      view.top = near.value();
+  }
   return view;
 }
 
 CoordinateRange
 ObjectBoxFinder::withoutNoise (const CoordinateRange& range,
                                const Eigen::Vector2f& direction,
-                               const View& view) const
+                               const View& view)
 {
   const float spread = view.sigma * direction.dot (view.away);
   Mean front;
   for (std::size_t i = 0; i < heights_.size(); ++i) {
     const float x = direction.dot (projected_[i]);
-    if (heights_[i] < view.below_top && x <= range.low + face_sigmas * spread)
+    if (heights_[i] < view.top - view.top_margin &&
+        x <= range.low + face_sigmas * spread)
       front.add (x);
   }
   if (view.rise < LinkLimit::min_rise ||
@@ -143,22 +155,33 @@ ObjectBoxFinder::withoutNoise (const CoordinateRange& range,
     return range;
 
   // Where the rays meet the top is free of noise. A pixel sees the more of it, the further.
-  Mean top;
+  Mean squared_depth;
+  measured_.clear();
+  met_.clear();
   for (std::size_t i = 0; i < heights_.size(); ++i) {
     const float fall = view.camera_height - heights_[i];
-    const float x =
-        direction.dot (projected_[i]) * (view.camera_height - view.top) / fall;
-    if (heights_[i] < view.below_top || x < front.value())
+    const float x = direction.dot (projected_[i]);
+    const float met = x * (view.camera_height - view.top) / fall;
+    const float depth = met - front.value();
+    if (std::fabs (heights_[i] - view.top) > view.top_margin || depth < 0.f)
       continue;
+    measured_.push_back (x);
+    met_.push_back (met);
     const float squared_range = projected_[i].squaredNorm() + fall * fall;
-    top.add (x, squared_range * std::sqrt (squared_range));
+    squared_depth.add (depth * depth, squared_range * std::sqrt (squared_range));
   }
-  if (top.count < min_top_points)
+  if (met_.size() < min_top_points)
     return range;
-  const float mirrored = 2.f * top.value() - front.value();
-  const float far_end = std::clamp (
-      mirrored, range.high - far_sigmas * spread, range.high + far_sigmas * spread);
-  return {front.value(), 0.5f * (far_end + range.high)};
+  // All points but a few reach less far than the top where it is a small part of them. Noise
+  // moves points further than it ends, and mixed pixels move where their rays meet it.
+  const float furthest = std::max (
+      range.high, std::min (trimmedRange (measured_).high, trimmedRange (met_).high));
+  // From one end of what is seen evenly, the mean square is a third of that of the other end.
+  const float far_end =
+      std::clamp (front.value() + std::sqrt (3.f * squared_depth.value()),
+                  furthest - far_sigmas * spread,
+                  furthest + far_sigmas * spread);
+  return {front.value(), 0.5f * (far_end + furthest)};
 }
 
 } // namespace rgbd_planes

@@ -91,6 +91,18 @@ TEST (ObjectBox, AsWideAsAllPointsAre)
     }
 }
 
+// Seen at a flat angle, it has a tenth of the points, of which a few at the end are left out.
+TEST (ObjectBox, ASmallTopTellsWhereAThingEnds)
+{
+  for (const float noise : {0.f, 0.5f})
+    for (const float yaw : {0.f, 0.2f}) {
+      const Vector3f size (0.14f, 0.12f, 0.25f);
+      const View view = table_scenes::look (
+          {{{1.2f, 0.f, 0.f}, size, yaw}}, Camera{0.5f, 0.2f, 0.f, 640, 480}, noise);
+      EXPECT_NEAR (sidesOf (view, {0}).x(), size.x(), 0.01f) << noise << ' ' << yaw;
+    }
+}
+
 TEST (ObjectBox, AHighBackIsNotTheMiddleOfAThing)
 {
   const View view = table_scenes::look ({{{1.2f, 0.f, 0.f}, {0.1f, 0.1f, 0.05f}},

@@ -33,8 +33,9 @@ public:
    *
    * Noise of depth spreads points along the view. Where a front and a top are seen, the
    * near end is where the front is in the mean. The far end is half-way between the furthest
-   * points and where it is if the middle of the top is the middle of the thing: the
-   * middle is more certain than a margin that few pixels see at a flat angle.
+   * points, of all or of the top alone, and where it is if the top is seen evenly from the
+   * front to there: all of the top is more certain than a margin that few pixels see at a
+   * flat angle.
    * \param[in] indices measured points, at least one
    * \param[in] bottom height above the plane, lower than the points; 0 or more
    */
@@ -54,8 +55,8 @@ private:
      * it falls towards the plane. */
     Eigen::Vector2f away = Eigen::Vector2f::Zero();
     float rise = 0.f;
-    float top = 0.f;       // in the mean
-    float below_top = 0.f; // lower points are not of the top
+    float top = 0.f;        // in the mean
+    float top_margin = 0.f; // points further below or above are not of the top
   };
 
   /** \brief How the camera sees the points at hand, the highest ones at \a height. */
@@ -67,10 +68,12 @@ private:
   CoordinateRange
   withoutNoise (const CoordinateRange& range,
                 const Eigen::Vector2f& direction,
-                const View& view) const;
+                const View& view);
 
   std::vector<Eigen::Vector2f> projected_;
   std::vector<float> heights_;
+  // Of the top, along the view: points, and where their rays meet it.
+  std::vector<float> measured_, met_;
   GroundRectangle rectangle_;
   std::vector<Eigen::Vector2f> border_;
   std::vector<Eigen::Vector2f> hull_;
