@@ -20,9 +20,11 @@ constexpr std::size_t ransac_points = 300;
 constexpr float ransac_sigmas = 1.5f;
 constexpr std::size_t refit_points = 1000;
 constexpr float refit_sigmas = 3.f;
-/** Heights of planes are uncertain by so many standard deviations of depth: the floor is
- * within a range that starts at 0. */
+/** Heights of planes are uncertain by so many standard deviations of depth. */
 constexpr float height_sigmas = 3.f;
+/** That of the floor is uncertain as the pose of the camera is: ranges that start at z = 0 hold it
+ * where ObstacleDetection finds it, if nothing else is set. */
+constexpr float floor_tolerance = 0.05f;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
 float
@@ -43,6 +45,9 @@ SupportPlanes::compute (const OrganizedPoints& points,
   const float camera_height = camera_to_base.translation().z();
   // That of pi / 2 as a float is less than 0.
   const float min_cosine = std::max (std::cos (parameters.horizontal_tolerance), 0.f);
+  const float lowest = parameters.min_plane_height > 0.f
+                           ? parameters.min_plane_height
+                           : std::min (parameters.min_plane_height, -floor_tolerance);
   rejections_ = {};
   std::size_t count = 0;
   for (std::size_t k = 0; k < planes.size(); ++k) {
@@ -57,7 +62,7 @@ SupportPlanes::compute (const OrganizedPoints& points,
     const float noise =
         height_sigmas * parameters.noise.sigmaAtSquare (center.squaredNorm());
     const bool is_still_level = plane.normal.dot (up) >= min_cosine;
-    const bool is_low = !(height >= parameters.min_plane_height - noise);
+    const bool is_low = !(height >= lowest - noise);
     const bool is_high = !(height <= parameters.max_plane_height + noise);
     if (!is_still_level || is_low || is_high) {
       ++(!is_still_level ? rejections_.not_level

@@ -43,6 +43,24 @@ TEST (SupportPlanes, HeightsAreAsUncertainAsDepth)
   EXPECT_EQ (extract (extraction, view).size(), 1u);
 }
 
+TEST (SupportPlanes, TheFloorMayBeLowerThanThePoseSays)
+{
+  View view = look ({floor_slab, {{1.2f, 0.f, 0.f}, {0.1f, 0.1f, 0.1f}}});
+  const Eigen::Affine3f pose = view.camera_to_base;
+  const auto countObjects = [&] (float height, float lowest) {
+    view.camera_to_base = Eigen::Translation3f (0.f, 0.f, height) * pose;
+    Extraction extraction;
+    extraction.setDepthNoise ({0.001f, 0.f});
+    extraction.setPlaneHeights (lowest, 1.2);
+    return extract (extraction, view).size();
+  };
+  for (const float height : {0.04f, 0.f, -0.02f, -0.04f})
+    EXPECT_EQ (countObjects (height, 0.f), 1u) << height;
+  EXPECT_EQ (countObjects (-0.1f, 0.f), 0u);
+  EXPECT_EQ (countObjects (-0.1f, -0.1f), 1u);
+  EXPECT_EQ (countObjects (0.f, 0.04f), 0u) << "a range that leaves the floor out";
+}
+
 TEST (SupportPlanes, HorizontalTolerance)
 {
   View view = look ({floor_slab, table, onTable (1.f, 0.1f, {0.06f, 0.06f, 0.1f})});
