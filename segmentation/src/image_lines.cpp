@@ -87,7 +87,10 @@ meanAngle (const Lines& lines)
       while (!isMeasured (ray (k)))
         ++k;
       const Eigen::Map<const Eigen::Vector3f> p (ray (first)), q (ray (k));
-      angles += std::atan2 (p.cross (q).norm(), p.dot (q));
+      const float angle = std::atan2 (p.cross (q).norm(), p.dot (q));
+      if (!std::isfinite (angle)) // of points that are too far away for floats
+        continue;
+      angles += angle;
       pixels += k - first;
     }
   });
@@ -142,11 +145,16 @@ marginsOf (const OrganizedPoints& points)
           raggedMargin (rows)};
 }
 
+PixelAngles
+pixelAngles (const OrganizedPoints& points)
+{
+  return {meanAngle (rowsOf (points)), meanAngle (columnsOf (points))};
+}
+
 float
 meanPixelAngle (const OrganizedPoints& points)
 {
-  const float in_row = meanAngle (rowsOf (points));
-  const float in_column = meanAngle (columnsOf (points));
+  const auto [in_row, in_column] = pixelAngles (points);
   return in_column > max_distortion * in_row ? in_column : in_row;
 }
 

@@ -5,6 +5,7 @@
 
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/segmentation/impl/image_margins.h>
+#include <pcl/segmentation/impl/obstacle_clusters.h>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -15,6 +16,10 @@ namespace rgbd_planes {
  * one bands in which next to nothing is measured, as what only one of two cameras sees. */
 ImageMargins
 marginsOf (const OrganizedPoints& points);
+
+/** \brief The mean angles between the rays of neighbouring pixels. */
+PixelAngles
+pixelAngles (const OrganizedPoints& points);
 
 /** \brief The angle between the rays of neighbouring pixels, in radians; 0 where no two are
  * measured. Where rows are farther apart than columns, as those of laser scanners are, it is that

@@ -7,6 +7,7 @@
 #include <pcl/segmentation/impl/obstacle_clusters.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -17,12 +18,14 @@ namespace {
  * fewer. */
 constexpr std::size_t rim_ratio = 4;
 
+/** \param[in] angle between the rays to the points */
 bool
-areClose (const float* p, const float* q, const DepthNoise& noise)
+areClose (const float* p, const float* q, const DepthNoise& noise, float angle)
 {
   const float way[] = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  const float limit =
-      max_gap_m + max_gap_sigmas * noise.sigmaAtSquare (squaredRange (p));
+  const float square = squaredRange (p);
+  const float gap = std::max (max_gap_m, max_gap_pixels * angle * std::sqrt (square));
+  const float limit = gap + max_gap_sigmas * noise.sigmaAtSquare (square);
   return squaredRange (way) <= limit * limit;
 }
 
@@ -46,17 +49,20 @@ sameThing (const ClassBits& row, std::size_t k, std::size_t by)
 void
 ObstacleClusters::start (const OrganizedPoints& points,
                          const DepthNoise& noise,
+                         const PixelAngles& angles,
                          std::size_t min_points,
                          std::size_t small_points,
                          bool has_excluded)
 {
   noise_ = noise;
+  angles_ = angles;
   has_excluded_ = has_excluded;
   min_points_ = min_points;
   small_points_ = std::max (min_points, small_points);
   width_ = static_cast<std::size_t> (points.width);
   const std::size_t words = wordsFor (width_);
   candidates_.resize (words);
+  linked_.resize (words);
   for (auto& row : rows_) {
     for (auto* bits :
          {&row.classes.unmeasured, &row.classes.drop_off, &row.classes.thing})
@@ -79,16 +85,20 @@ ObstacleClusters::addRow (const OrganizedPoints& points,
   row.first = v * width_;
   findRuns (points, links.to_left, row);
   if (v >= 1) {
-    for (std::size_t k = 0; k < candidates_.size(); ++k)
-      candidates_[k] = links.to_above[k] & sameThing (above.classes, row.classes, k);
-    joinRows (above, row, candidates_, [] (std::size_t) { return true; });
+    for (std::size_t k = 0; k < linked_.size(); ++k)
+      linked_[k] = links.to_above[k] & sameThing (above.classes, row.classes, k);
+    joinRows (above, row, linked_, 0, [] (std::size_t) { return true; });
+    joinDiagonals (points, above, row);
   }
   if (v >= 2) {
     for (std::size_t k = 0; k < candidates_.size(); ++k)
       candidates_[k] =
           above.classes.unmeasured[k] & sameThing (before.classes, row.classes, k);
-    joinRows (before, row, candidates_, [&] (std::size_t u) {
-      return areClose (points[row.first + u], points[before.first + u], noise_);
+    joinRows (before, row, candidates_, 0, [&] (std::size_t u) {
+      return areClose (points[row.first + u],
+                       points[before.first + u],
+                       noise_,
+                       2.f * angles_.in_column);
     });
   }
   points_.resize (runs_.size(), 0);
@@ -123,9 +133,10 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
       sets_.add (run);
       runs_.emplace_back();
       runs_.back().first = first + bit;
-      if (joined >> bit & 1 ||
-          (bridged >> bit & 1 &&
-           areClose (points[first + bit], points[first + bit - 2], noise_)))
+      if (joined >> bit & 1 || (bridged >> bit & 1 && areClose (points[first + bit],
+                                                                points[first + bit - 2],
+                                                                noise_,
+                                                                2.f * angles_.in_row)))
         sets_.join (run - 1, run);
     });
     forEachBit ((any (k) << 1 | last_of_word) & ~continued, [&] (std::size_t bit) {
@@ -144,14 +155,15 @@ void
 ObstacleClusters::joinRows (const Row& above,
                             const Row& below,
                             const RowBits& candidates,
+                            int aside,
                             const IsConnected& isConnected)
 {
   std::size_t a = above.runs;
   for (std::size_t b = below.runs; b < below.end_of_runs; ++b) {
     const std::size_t first = runs_[b].first - below.first;
     const std::size_t end = first + runs_[b].length;
-    const auto endAbove = [&] {
-      return runs_[a].first + runs_[a].length - above.first;
+    const auto endAbove = [&] { // where points of the run below are beyond that above
+      return runs_[a].first + runs_[a].length - above.first - aside;
     };
     for (std::size_t u = nextBit (candidates, first); u < end;) {
       while (endAbove() <= u)
@@ -161,6 +173,29 @@ ObstacleClusters::joinRows (const Row& above,
         sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
       u = nextBit (candidates, is_connected ? endAbove() : u + 1);
     }
+  }
+}
+
+void
+ObstacleClusters::joinDiagonals (const OrganizedPoints& points,
+                                 const Row& above,
+                                 const Row& below)
+{
+  const float angle = std::hypot (angles_.in_row, angles_.in_column);
+  for (const int aside : {-1, 1}) {
+    const auto moved = [=] (const RowBits& bits, std::size_t k) {
+      return aside < 0 ? movedRight (bits, k, 1) : movedLeft (bits, k);
+    };
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      const std::uint64_t same =
+          (below.classes.thing[k] & moved (above.classes.thing, k)) |
+          (below.classes.drop_off[k] & moved (above.classes.drop_off, k));
+      candidates_[k] = same & ~(linked_[k] | moved (linked_, k));
+    }
+    joinRows (above, below, candidates_, aside, [&] (std::size_t u) {
+      return areClose (
+          points[below.first + u], points[above.first + u + aside], noise_, angle);
+    });
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "image_lines.h"
 #include "obstacle_kernels.h"
 #include "row_bits.h"
 
@@ -69,9 +70,11 @@ ObstacleExtraction::start (const ObstacleFrame& frame,
     for (const pcl::index_t index : *excluded)
       excluded_[static_cast<std::size_t> (index)] = 1;
   extents_.clear();
-  point_classes_.start (frame, parameters.points);
+  const PixelAngles angles = pixelAngles (points);
+  point_classes_.start (frame, parameters.points, angles);
   clusters_.start (points,
                    parameters.points.noise,
+                   angles,
                    min_points,
                    FloorBumps::maxPoints (points),
                    excluded != nullptr);

@@ -93,6 +93,7 @@ classifyRowHere (const PointRow& row,
                  const PointRow& row_above,
                  const Eigen::Vector4f& floor,
                  const ObstaclePointParameters& parameters,
+                 const PixelAngles& angles,
                  ObstacleClass* classes,
                  RowLinks& links,
                  FloorSums& columns)
@@ -113,13 +114,15 @@ classifyRowHere (const PointRow& row,
       drop_off |= bitsOf (Floats(), heights.drop_off) << k;
       addFloor (heights, squared_range, first + k, columns);
 
-      const V far = hn::MulAdd (set (max_gap_sigmas), sigma, set (max_gap_m));
-      const V limit = hn::Mul (far, far);
-      const auto closeTo = [&] (const Points& q) {
-        return bitsOf (Floats(), hn::Le (squaredLength (p - q), limit)) << k;
+      const V pixels = hn::Mul (set (max_gap_pixels), hn::Sqrt (squared_range));
+      const auto closeTo = [&] (const Points& q, float angle) {
+        const V gap = hn::Max (set (max_gap_m), hn::Mul (set (angle), pixels));
+        const V limit = hn::MulAdd (set (max_gap_sigmas), sigma, gap);
+        return bitsOf (Floats(), hn::Le (squaredLength (p - q), hn::Mul (limit, limit)))
+               << k;
       };
-      to_left |= closeTo (load (row, i - 1));
-      to_above |= closeTo (load (row_above, i));
+      to_left |= closeTo (load (row, i - 1), angles.in_row);
+      to_above |= closeTo (load (row_above, i), angles.in_column);
     }
     links.to_left[word] = to_left;
     links.to_above[word] = to_above;
@@ -254,12 +257,13 @@ classifyRow (const PointRow& row,
              const PointRow& row_above,
              const Eigen::Vector4f& floor,
              const ObstaclePointParameters& parameters,
+             const PixelAngles& angles,
              ObstacleClass* classes,
              RowLinks& links,
              FloorSums& columns)
 {
   HWY_DYNAMIC_DISPATCH (classifyRowHere)
-  (row, row_above, floor, parameters, classes, links, columns);
+  (row, row_above, floor, parameters, angles, classes, links, columns);
 }
 
 void

@@ -32,8 +32,9 @@ cellSize (const OrganizedPoints& points)
   return std::max (std::max (points.width, points.height) / cells_along, 1);
 }
 
-/** Neighbours that are further apart are not of the same thing. */
-constexpr float max_gap_m = 0.05f;
+/** Neighbours that are further apart than the larger of these, and so many standard deviations of
+ * depth, are not of the same thing. */
+constexpr float max_gap_m = 0.05f, max_gap_pixels = 2.f;
 constexpr float max_gap_sigmas = 3.f;
 
 /** Tells what the points of a row are by their heights above the floor alone, adds those that
@@ -46,6 +47,7 @@ classifyRow (const PointRow& row,
              const PointRow& row_above,
              const Eigen::Vector4f& floor,
              const ObstaclePointParameters& parameters,
+             const PixelAngles& angles,
              ObstacleClass* classes,
              RowLinks& links,
              FloorSums& columns);

@@ -66,9 +66,11 @@ isHigh (float height, float variance, const ObstaclePointParameters& parameters)
 
 void
 ObstaclePoints::start (const ObstacleFrame& frame,
-                       const ObstaclePointParameters& parameters)
+                       const ObstaclePointParameters& parameters,
+                       const PixelAngles& angles)
 {
   parameters_ = parameters;
+  angles_ = angles;
   width_ = frame.points.width;
   cell_size_ = cellSize (frame.points);
   cells_u_ = (width_ + cell_size_ - 1) / cell_size_;
@@ -96,6 +98,7 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
                points_above,
                frame.floor.reference(),
                parameters_,
+               angles_,
                row_.data(),
                links,
                columns_);

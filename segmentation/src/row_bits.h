@@ -46,5 +46,14 @@ movedRight (const RowBits& bits, std::size_t k, std::size_t by)
   return bits[k] << by | before;
 }
 
+/** A word whose bits are those of \a bits for the points after its own. */
+inline std::uint64_t
+movedLeft (const RowBits& bits, std::size_t k)
+{
+  const std::uint64_t after =
+      k + 1 < bits.size() ? bits[k + 1] << (bits_in_word - 1) : 0;
+  return bits[k] >> 1 | after;
+}
+
 } // namespace rgbd_planes
 } // namespace pcl

@@ -3,6 +3,9 @@
 
 #include "table_scenes.h"
 
+#include <pcl/features/integral_image_tangent_normal.h>
+#include <pcl/segmentation/normal_space_plane_segmentation.h>
+#include <pcl/segmentation/obstacle_detection.h>
 #include <pcl/segmentation/supported_object_extraction.h>
 
 #include <gtest/gtest.h>
@@ -30,7 +33,7 @@ struct Scan {
 };
 
 Scan
-scan (const std::vector<Box>& boxes, float sigma)
+scan (const std::vector<Box>& boxes, float sigma, float max_range = 10.f)
 {
   const Eigen::Vector3f eye = scanner_height * Eigen::Vector3f::UnitZ();
   std::mt19937 generator (1);
@@ -44,8 +47,8 @@ scan (const std::vector<Box>& boxes, float sigma)
     const Eigen::Vector3f ray (std::cos (elevation) * std::cos (azimuth),
                                std::cos (elevation) * std::sin (azimuth),
                                std::sin (elevation));
-    float range = ray.z() < 0.f ? -scanner_height / ray.z() : 10.f;
-    scan.box[i] = range < 10.f ? 0 : -1;
+    float range = ray.z() < 0.f ? -scanner_height / ray.z() : max_range;
+    scan.box[i] = range < max_range ? 0 : -1;
     for (std::size_t k = 0; k < boxes.size(); ++k)
       if (const auto hit = meet (boxes[k], eye, ray);
           hit.second >= 0 && hit.first < range) {
@@ -94,5 +97,71 @@ TEST (LaserScanner, FindsObjectsAllAround)
       EXPECT_NEAR (object.box_size.z(), 0.15f, 0.02f);
       EXPECT_FALSE (object.truncated);
     }
+  }
+}
+
+/** Where neighbouring points are 12 cm apart along rows, and 25 cm along columns. */
+TEST (LaserScanner, FarThingsAreObstacles)
+{
+  const Scan seen = scan ({{{20.f, 0.f, 0.f}, {1.f, 6.f, 3.f}}}, 0.01f, 40.f);
+  const auto normals =
+      pcl::make_shared<pcl::PointCloud<pcl::Normal>> (seen.cloud->width, 128);
+  const auto labels =
+      pcl::make_shared<pcl::PointCloud<pcl::Label>> (seen.cloud->width, 128);
+  for (std::size_t i = 0; i < seen.box.size(); ++i) {
+    (*normals)[i] =
+        seen.box[i] == 0 ? pcl::Normal (0.f, 0.f, 1.f) : pcl::Normal (-1.f, 0.f, 0.f);
+    (*labels)[i].label = seen.box[i] == 0 ? 0u : 1u;
+  }
+  pcl::ModelCoefficients floor;
+  floor.values = {0.f, 0.f, 1.f, scanner_height};
+  Eigen::Affine3f to_base = Eigen::Affine3f::Identity();
+  to_base.translation().z() = scanner_height;
+  pcl::ObstacleDetection<pcl::PointXYZ, pcl::Normal> detection;
+  detection.setCameraToBase (to_base);
+  detection.setDepthNoise ({0.02f, 0.f});
+  detection.setInputCloud (seen.cloud);
+  detection.setInputNormals (normals);
+  detection.setInputPlanes ({floor}, labels);
+  std::vector<pcl::rgbd_planes::Obstacle> obstacles;
+  detection.detect (obstacles);
+  ASSERT_EQ (obstacles.size(), 1u);
+  EXPECT_NEAR (obstacles[0].distance, 19.5f, 0.1f);
+  const auto points = std::count (seen.box.begin(), seen.box.end(), 1);
+  EXPECT_GT (points, 400);
+  EXPECT_GT (static_cast<std::ptrdiff_t> (obstacles[0].indices.size()),
+             points * 9 / 10);
+}
+
+/** Whose normals are wrong far away, at the foot of what stands there. */
+TEST (LaserScanner, FindsTheFloorUnderFarThings)
+{
+  for (float distance = 10.f; distance <= 30.f; distance += 2.f) {
+    std::vector<Box> boxes{{{distance + 6.f, 0.f, 0.f}, {0.5f, 60.f, 6.f}}};
+    for (int k = -2; k <= 2; ++k)
+      boxes.push_back ({{distance, 2.f * k, 0.f}, {0.4f, 0.5f, 1.7f}});
+    // What is ahead, within 22 degrees of the horizon.
+    const Scan all = scan (boxes, 0.01f, 60.f);
+    const auto ahead = pcl::make_shared<Cloud> (512, 64);
+    for (std::uint32_t v = 0; v < ahead->height; ++v)
+      for (std::uint32_t u = 0; u < ahead->width; ++u)
+        (*ahead) (u, v) = (*all.cloud) (u + 256, v + 32);
+    const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+    pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+    estimation.setDepthNoise ({0.02f, 0.f});
+    estimation.setInputCloud (ahead);
+    estimation.compute (*normals);
+    pcl::NormalSpacePlaneSegmentation<pcl::PointXYZ, pcl::Normal> segmentation;
+    segmentation.setDepthNoise ({0.02f, 0.f});
+    segmentation.setInputCloud (ahead);
+    segmentation.setInputNormals (normals);
+    std::vector<pcl::ModelCoefficients> models;
+    std::vector<pcl::PointIndices> inliers;
+    segmentation.segment (models, inliers);
+    const auto isFloor = [] (const pcl::ModelCoefficients& model) {
+      return model.values[2] > 0.999f &&
+             std::fabs (model.values[3] - scanner_height) < 0.02f;
+    };
+    EXPECT_TRUE (std::any_of (models.begin(), models.end(), isFloor)) << distance;
   }
 }

@@ -14,6 +14,7 @@ using pcl::rgbd_planes::DepthNoise;
 using pcl::rgbd_planes::ObstacleClass;
 using pcl::rgbd_planes::ObstacleClusters;
 using pcl::rgbd_planes::OrganizedPoints;
+using pcl::rgbd_planes::PixelAngles;
 using pcl::rgbd_planes::RowLinks;
 
 namespace {
@@ -26,6 +27,7 @@ struct Image {
   std::vector<float> xyz;
   std::vector<ObstacleClass> classes;
   std::vector<bool> to_left, to_above;
+  PixelAngles angles{0.012f, 0.03f};
 
   Image (std::size_t columns, unsigned seed, double excluded) : width (columns)
   {
@@ -74,14 +76,37 @@ struct Image {
            (classes[i] == ObstacleClass::drop_off && classes[j] == classes[i]);
   }
 
+  /** Whether points whose rays are so many pixels apart are close. */
+  bool
+  areClose (std::size_t i, std::size_t j, float angle) const
+  {
+    const float z = xyz[4 * i + 2], other = xyz[4 * j + 2];
+    return std::abs (z - other) <=
+           std::max (0.05f, 2.f * angle * z) + 3.f * DepthNoise().sigmaAtSquare (z * z);
+  }
+
   /** Whether a point is connected with the next but one before it. */
   bool
-  isBridged (std::size_t i, std::size_t step) const
+  isBridged (std::size_t i, std::size_t step, float angle) const
   {
-    const float z = xyz[4 * i + 2], other = xyz[4 * (i - 2 * step) + 2];
     return isSameThing (i, i - 2 * step) &&
            classes[i - step] == ObstacleClass::unmeasured &&
-           std::abs (z - other) <= 0.05f + 3.f * DepthNoise().sigmaAtSquare (z * z);
+           areClose (i, i - 2 * step, 2.f * angle);
+  }
+
+  bool
+  isLinkedUp (std::size_t i) const
+  {
+    return to_above[i] && isSameThing (i, i - width);
+  }
+
+  /** Whether a point is connected with the one above it and \a aside columns further right. */
+  bool
+  isDiagonal (std::size_t i, int aside) const
+  {
+    const std::size_t beside = i + static_cast<std::size_t> (aside);
+    return isSameThing (i, beside - width) && !isLinkedUp (i) && !isLinkedUp (beside) &&
+           areClose (i, beside - width, std::hypot (angles.in_row, angles.in_column));
   }
 };
 
@@ -102,11 +127,15 @@ firstPoints (const Image& image)
       const std::size_t u = i % image.width, v = i / image.width;
       if (u >= 1 && image.to_left[i] && image.isSameThing (i, i - 1))
         join (i, i - 1);
-      if (v >= 1 && image.to_above[i] && image.isSameThing (i, i - image.width))
+      if (v >= 1 && image.isLinkedUp (i))
         join (i, i - image.width);
-      if (u >= 2 && image.isBridged (i, 1))
+      for (const int aside : {-1, 1})
+        if (v >= 1 && (aside < 0 ? u >= 1 : u + 1 < image.width) &&
+            image.isDiagonal (i, aside))
+          join (i, i - image.width + static_cast<std::size_t> (aside));
+      if (u >= 2 && image.isBridged (i, 1, image.angles.in_row))
         join (i, i - 2);
-      if (v >= 2 && image.isBridged (i, image.width))
+      if (v >= 2 && image.isBridged (i, image.width, image.angles.in_column))
         join (i, i - 2 * image.width);
     }
   }
@@ -122,7 +151,8 @@ TEST (ObstacleClusters, AreTheConnectedPointsOfAnImage)
   for (const std::size_t width : {1u, 2u, 63u, 64u, 65u, 128u, 150u})
     for (const double excluded : {0., 2., 20.}) {
       const Image image (width, static_cast<unsigned> (width), excluded);
-      clusters.start (image.points(), DepthNoise(), min_points, 0, excluded > 0.);
+      clusters.start (
+          image.points(), DepthNoise(), image.angles, min_points, 0, excluded > 0.);
       for (std::size_t v = 0; v < height; ++v)
         clusters.addRow (image.points(), &image.classes[v * width], image.links (v));
       std::vector<ObstacleClass> classes = image.classes;

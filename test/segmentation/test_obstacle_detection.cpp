@@ -96,6 +96,25 @@ TEST (ObstacleDetection, HeightsAreThoseOfTheLowestAndTheHighestPoint)
   }
 }
 
+/** Such a rod is 1 to 2 pixels wide, whose neighbours along rows and columns are of it in pieces. */
+TEST (ObstacleDetection, ThinThingsAreFoundHoweverTheyAreTurned)
+{
+  for (const float degrees : {0.f, 10.f, 30.f, 45.f, 60.f, 80.f, 90.f}) {
+    const float angle = degrees * static_cast<float> (M_PI / 180.);
+    const Eigen::Vector3f middle (2.f, 0.f, 0.8f);
+    const Eigen::Vector3f along (0.f, std::sin (angle), std::cos (angle));
+    const Patch rod{-Eigen::Vector3f::UnitX(), middle, [=] (const Eigen::Vector3f& p) {
+                      const float way = along.dot (p - middle);
+                      return std::fabs (way) < 0.3f &&
+                             (p - middle - way * along).norm() < 0.0025f;
+                    }};
+    const FloorScene scene (
+        only_floor + std::vector<Patch>{rod}, cameraPose (0.8f, 0.1f), 640);
+    const Result result = detect (scene);
+    EXPECT_GT (share (scene, result, 1, 1, ObstacleClass::obstacle), 0.9) << degrees;
+  }
+}
+
 TEST (ObstacleDetection, LowObstaclesInTheNoiseAreFound)
 {
   // 1 cm high where depth has a standard deviation of 3.2 mm.

@@ -19,8 +19,15 @@ namespace rgbd_planes {
 /** \brief A bit for each point of a row of an image, 64 to a word. */
 using RowBits = std::vector<std::uint64_t>;
 
-/** \brief The points of a row that are close to the one before, and to the one above them:
- * the distance between them is at most 5 cm and three standard deviations of depth. */
+/** \brief Angles between the rays of neighbouring pixels, in radians; 0 where no two are
+ * measured. */
+struct PixelAngles {
+  float in_row = 0.f, in_column = 0.f;
+};
+
+/** \brief The points of a row that are close to the one before, and to the one above them: the
+ * distance between them is at most 5 cm, or two pixels where these are wider, and three standard
+ * deviations of depth. */
 struct RowLinks {
   RowBits to_left, to_above;
 };
@@ -35,8 +42,9 @@ struct ClassBits {
 /** \brief Connected obstacle points of an image.
  *
  * Neighbours in a row or column that are both obstacle or excluded, or both drop-off, are
- * connected where they are linked. So are next neighbours but one where the pixel between
- * them is unmeasured. Excluded points are in no cluster; where they are connected with others
+ * connected where they are linked. So are those along a diagonal where neither has such a
+ * neighbour in the row of the other, as on thin slanted things, and next neighbours but one where
+ * the pixel between them is unmeasured. Excluded points are in no cluster; where they are connected with others
  * that are fewer than a quarter as many, these are taken for their rim and foot, and excluded
  * with them. Clusters are kept as runs, the parts of a row that belong to one.
  */
@@ -52,6 +60,7 @@ public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
   /** \brief Starts with an image.
+   * \param[in] angles of the image
    * \param[in] min_points the points of smaller clusters become specks
    * \param[in] small_points smaller clusters may turn out to be no obstacles
    * \param[in] has_excluded whether any points are excluded
@@ -59,6 +68,7 @@ public:
   void
   start (const OrganizedPoints& points,
          const DepthNoise& noise,
+         const PixelAngles& angles,
          std::size_t min_points,
          std::size_t small_points,
          bool has_excluded);
@@ -118,22 +128,28 @@ private:
   void
   findRuns (const OrganizedPoints& points, const RowBits& to_left, Row& row);
 
-  /** Joins runs of two rows where one of \a candidates, points in both of them, is
-   * connected. */
+  /** Joins runs of two rows where one of \a candidates, points of the one below, is connected
+   * with the point of the other one that is \a aside columns further right. */
   template <typename IsConnected>
   void
   joinRows (const Row& above,
             const Row& below,
             const RowBits& candidates,
+            int aside,
             const IsConnected& isConnected);
 
+  void
+  joinDiagonals (const OrganizedPoints& points, const Row& above, const Row& below);
+
   DepthNoise noise_;
+  PixelAngles angles_;
   std::size_t min_points_ = 0, small_points_ = 0;
   bool has_excluded_ = false;
   std::size_t width_ = 0;
   Row rows_[3]; // in turn
   std::size_t number_of_rows_ = 0;
   RowBits candidates_;
+  RowBits linked_; // points of a row that are connected with the one above them
   std::vector<Run> runs_;
   DisjointSets sets_; // of runs, until clusters are numbered
   /** Of the sets of runs, whose roots have so many at least until all are known. */

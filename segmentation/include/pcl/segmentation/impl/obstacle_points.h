@@ -83,7 +83,9 @@ class PCL_RGBD_PLANES_EXPORTS ObstaclePoints {
 public:
   /** \brief Starts with a frame. */
   void
-  start (const ObstacleFrame& frame, const ObstaclePointParameters& parameters);
+  start (const ObstacleFrame& frame,
+         const ObstaclePointParameters& parameters,
+         const PixelAngles& angles);
 
   /** \brief Looks at the points of the next row.
    * \param[in] points_above any row for v = 0
@@ -141,6 +143,7 @@ private:
   isTurned (const ObstacleFrame& frame, std::size_t point) const;
 
   ObstaclePointParameters parameters_;
+  PixelAngles angles_;
   int cell_size_ = 1;
   int width_ = 0;
   int cells_u_ = 0;
