@@ -22,8 +22,7 @@ constexpr std::size_t refit_points = 1000;
 constexpr float refit_sigmas = 3.f;
 /** Heights of planes are uncertain by so many standard deviations of depth. */
 constexpr float height_sigmas = 3.f;
-/** That of the floor is uncertain as the pose of the camera is: ranges that start at z = 0 hold it
- * where ObstacleDetection finds it, if nothing else is set. */
+/** That of the floor may be off by so much, as the pose of the camera may be. */
 constexpr float floor_tolerance = 0.05f;
 
 /** How far a point is from \a plane, in standard deviations of its depth. */
@@ -41,43 +40,28 @@ SupportPlanes::compute (const OrganizedPoints& points,
                         const Eigen::Affine3f& camera_to_base,
                         const ObjectParameters& parameters)
 {
-  const Eigen::Vector3f up = camera_to_base.linear().row (2);
-  const float camera_height = camera_to_base.translation().z();
-  // That of pi / 2 as a float is less than 0.
-  const float min_cosine = std::max (std::cos (parameters.horizontal_tolerance), 0.f);
-  const float lowest = parameters.min_plane_height > 0.f
-                           ? parameters.min_plane_height
-                           : std::min (parameters.min_plane_height, -floor_tolerance);
   rejections_ = {};
+  findCandidates (points, planes, camera_to_base, parameters);
+  const float lowest = lowestHeight (parameters);
   std::size_t count = 0;
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    const bool is_level = planes[k].plane.normal.dot (up) >= min_cosine;
-    if (!is_level || planes[k].inliers->empty()) {
-      rejections_.not_level += !is_level;
-      continue;
-    }
-    const Plane plane = optimise (points, planes[k], parameters.noise);
-    const Eigen::Vector3f center = sample_.mean();
-    const float height = up.dot (center) + camera_height;
-    const float noise =
-        height_sigmas * parameters.noise.sigmaAtSquare (center.squaredNorm());
-    const bool is_still_level = plane.normal.dot (up) >= min_cosine;
-    const bool is_low = !(height >= lowest - noise);
-    const bool is_high = !(height <= parameters.max_plane_height + noise);
-    if (!is_still_level || is_low || is_high) {
-      ++(!is_still_level ? rejections_.not_level
-         : is_low        ? rejections_.too_low
-                         : rejections_.too_high);
+  for (const Candidate& candidate : candidates_) {
+    if (!(candidate.height >= lowest - candidate.noise)) {
+      ++rejections_.too_low;
       continue;
     }
     supports_.resize (std::max (supports_.size(), count + 1));
     SupportSurface& support = supports_[count++];
-    support.index = k;
-    support.plane = plane;
-    support.height = height;
+    support.index = candidate.index;
+    support.plane = candidate.plane;
+    support.height = candidate.height;
     support.axis_x = support.plane.normal.unitOrthogonal();
     support.axis_y = support.plane.normal.cross (support.axis_x);
-    outline (points, *planes[k].inliers, {}, parameters, support, support.outline);
+    outline (points,
+             *planes[candidate.index].inliers,
+             {},
+             parameters,
+             support,
+             support.outline);
     findSurroundings (parameters, support);
   }
   supports_.resize (count);
@@ -89,6 +73,49 @@ SupportPlanes::compute (const OrganizedPoints& points,
     if (!support.is_on_object)
       support.warp.compute (points, *planes[support.index].inliers, support.plane);
   findBackground (points, planes, parameters);
+}
+
+void
+SupportPlanes::findCandidates (const OrganizedPoints& points,
+                               const std::vector<SegmentedPlane>& planes,
+                               const Eigen::Affine3f& camera_to_base,
+                               const ObjectParameters& parameters)
+{
+  const Eigen::Vector3f up = camera_to_base.linear().row (2);
+  // That of pi / 2 as a float is less than 0.
+  const float min_cosine = std::max (std::cos (parameters.horizontal_tolerance), 0.f);
+  candidates_.clear();
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const bool is_level = planes[k].plane.normal.dot (up) >= min_cosine;
+    if (!is_level || planes[k].inliers->empty()) {
+      rejections_.not_level += !is_level;
+      continue;
+    }
+    const Plane plane = optimise (points, planes[k], parameters.noise);
+    const Eigen::Vector3f center = sample_.mean();
+    const float height = up.dot (center) + camera_to_base.translation().z();
+    const float noise =
+        height_sigmas * parameters.noise.sigmaAtSquare (center.squaredNorm());
+    if (!(plane.normal.dot (up) >= min_cosine))
+      ++rejections_.not_level;
+    else if (height > parameters.max_plane_height + noise)
+      ++rejections_.too_high;
+    else
+      candidates_.push_back ({k, plane, height, noise});
+  }
+}
+
+/** Where the range starts at z = 0 or below, it holds the plane that is nearest to z = 0. */
+float
+SupportPlanes::lowestHeight (const ObjectParameters& parameters) const
+{
+  float floor = floor_tolerance;
+  for (const Candidate& candidate : candidates_)
+    if (std::fabs (candidate.height) < std::fabs (floor))
+      floor = candidate.height;
+  return parameters.min_plane_height > 0.f
+             ? parameters.min_plane_height
+             : std::min (parameters.min_plane_height, floor);
 }
 
 Plane

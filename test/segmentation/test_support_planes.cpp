@@ -61,6 +61,20 @@ TEST (SupportPlanes, TheFloorMayBeLowerThanThePoseSays)
   EXPECT_EQ (countObjects (0.f, 0.04f), 0u) << "a range that leaves the floor out";
 }
 
+/** As in a bin on a table, where z = 0 is the bottom of the bin. */
+TEST (SupportPlanes, WhatIsLowerThanAPlaneAtZeroSupportsNothing)
+{
+  View view = look ({{{1.2f, 0.f, -0.13f}, {3.f, 3.f, 0.1f}},
+                     {{1.2f, 0.f, -0.03f}, {0.5f, 0.5f, 0.03f}},
+                     {{1.2f, 0.f, 0.f}, {0.1f, 0.1f, 0.1f}}});
+  Extraction extraction;
+  extraction.setDepthNoise ({0.001f, 0.f});
+  EXPECT_EQ (extract (extraction, view).size(), 1u);
+  EXPECT_FALSE (extraction.getSupportPlanes().empty());
+  for (const auto& support : extraction.getSupportPlanes())
+    EXPECT_GT (support.height, -0.01f);
+}
+
 TEST (SupportPlanes, HorizontalTolerance)
 {
   View view = look ({floor_slab, table, onTable (1.f, 0.1f, {0.06f, 0.06f, 0.1f})});

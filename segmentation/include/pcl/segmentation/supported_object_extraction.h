@@ -143,7 +143,8 @@ public:
 
   /** \brief Heights of supporting planes in the base frame, where their points are on
    * average, give or take 3 standard deviations of depth; metres, default 0 to 1.2. A range that
-   * starts at z = 0 holds a floor that is up to 5 cm lower, as the pose may be off. */
+   * starts at z = 0 holds the plane that is nearest to it, if that is up to 5 cm lower: a floor, as
+   * the pose may be off. */
   void
   setPlaneHeights (double lowest, double highest)
   {

@@ -159,6 +159,23 @@ public:
   }
 
 private:
+  /** \brief A level plane that is not too high. */
+  struct Candidate {
+    std::size_t index; /**< among the planes of the segmentation */
+    Plane plane;
+    float height; /**< of the centre of its points in the base frame */
+    float noise;  /**< how far off that may be */
+  };
+
+  void
+  findCandidates (const OrganizedPoints& points,
+                  const std::vector<SegmentedPlane>& planes,
+                  const Eigen::Affine3f& camera_to_base,
+                  const ObjectParameters& parameters);
+
+  float
+  lowestHeight (const ObjectParameters& parameters) const;
+
   /** \brief The plane that most of a sample of the points agree on: RANSAC that starts
    * from the model at hand, then least squares over the points that agree. */
   Plane
@@ -193,6 +210,7 @@ private:
                   const std::vector<SegmentedPlane>& planes,
                   const ObjectParameters& parameters);
 
+  std::vector<Candidate> candidates_;
   std::vector<SupportSurface> supports_;
   std::vector<SegmentedPlane> background_;
   ImageMargins margins_;
