@@ -15,9 +15,10 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /** By how many degrees a normal may differ from that of its plane: 10, and 6 more with
- * each metre, as depth noise tilts far normals; more with the fourth root of their scatter,
+ * each metre, as depth noise tilts far normals, but no more than 45, for those at the foot of
+ * what stands on a far floor are between the two; more with the fourth root of their scatter,
  * which is less than that allows for. */
-constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f;
+constexpr float angle_at_sensor = 10.f, angle_per_metre = 6.f, angle_far_away = 45.f;
 /** Normals with more than this part of the largest curvature are not trusted. */
 constexpr float trusted_share = 0.5f;
 
@@ -67,8 +68,10 @@ judgeSamplesHere (PlaneSamples& samples, const DepthNoise& noise, float max_curv
     seeds += hn::CountTrue (Floats(), is_seed);
     const Mask is_trusted = hn::AndNot (
         hn::Gt (curvature, set (trusted_share * max_curvature)), has_normal);
-    const V degrees = hn::MulAdd (
-        range, set (scatter * angle_per_metre), set (scatter * angle_at_sensor));
+    const V degrees = hn::Min (hn::MulAdd (range,
+                                           set (scatter * angle_per_metre),
+                                           set (scatter * angle_at_sensor)),
+                               set (scatter * angle_far_away));
     hn::StoreU (hn::IfThenElse (is_trusted, cosineOf (degrees), none),
                 Floats(),
                 &samples.min_cosine[i]);

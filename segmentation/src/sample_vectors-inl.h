@@ -66,9 +66,8 @@ bitsOf (Mask mask)
   return static_cast<unsigned> (bitsOf (Floats(), mask));
 }
 
-/** By how many degrees a normal may at most differ from that of its plane: those at the foot of
- * what stands on a far floor are between the two. */
-constexpr float largest_angle = 45.f;
+/** By how many degrees a normal may at most differ from that of its plane. */
+constexpr float largest_angle = 60.f;
 
 /** The cosine of an angle, or of the largest one. */
 HWY_INLINE V
