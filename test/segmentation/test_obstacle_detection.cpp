@@ -96,7 +96,7 @@ TEST (ObstacleDetection, HeightsAreThoseOfTheLowestAndTheHighestPoint)
   }
 }
 
-/** Such a rod is 1 to 2 pixels wide, whose neighbours along rows and columns are of it in pieces. */
+/** A rod that is 1 to 2 pixels wide: where it is slanted, pixels of it touch at corners only. */
 TEST (ObstacleDetection, ThinThingsAreFoundHoweverTheyAreTurned)
 {
   for (const float degrees : {0.f, 10.f, 30.f, 45.f, 60.f, 80.f, 90.f}) {

@@ -297,8 +297,8 @@ public:
   }
 
   /** \brief The noise of the sensor; default rgbd_planes::DepthNoise::kinectV1 ().
-   * Points beyond its range are left out. One that is not valid:
-   * an error message, and the noise before stays. */
+   * Points beyond its range are left out. One that is not valid: an error message, and the noise
+   * before stays. */
   void
   setDepthNoise (const rgbd_planes::DepthNoise& noise)
   {

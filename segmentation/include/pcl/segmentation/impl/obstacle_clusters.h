@@ -44,9 +44,9 @@ struct ClassBits {
  * Neighbours in a row or column that are both obstacle or excluded, or both drop-off, are
  * connected where they are linked. So are those along a diagonal where neither has such a
  * neighbour in the row of the other, as on thin slanted things, and next neighbours but one where
- * the pixel between them is unmeasured. Excluded points are in no cluster; where they are connected with others
- * that are fewer than a quarter as many, these are taken for their rim and foot, and excluded
- * with them. Clusters are kept as runs, the parts of a row that belong to one.
+ * the pixel between them is unmeasured. Excluded points are in no cluster; where they are
+ * connected with others that are fewer than a quarter as many, these are taken for their rim and
+ * foot, and excluded with them. Clusters are kept as runs, the parts of a row that belong to one.
  */
 class PCL_RGBD_PLANES_EXPORTS ObstacleClusters {
 public:
