@@ -28,33 +28,27 @@ constexpr double max_error = 5.3, max_error_beside = 4.3;
 /** They are turned by no more than 20 degrees. */
 constexpr double min_cosine = 0.94;
 
-/** Calls visit (beside, sample) with what is next to each sample of small parts. */
-template <typename Visit>
-void
-visitSurroundings (const PlaneSamples& samples,
-                   const std::vector<std::int32_t>& owners,
-                   const std::vector<bool>& is_small,
-                   const Visit& visit)
+constexpr std::array<std::array<int, 2>, 4> directions{
+    {{0, -1}, {-1, 0}, {1, 0}, {0, 1}}};
+
+/** The part that is next to the sample in (u, v) in a direction, or \ref none or \ref outside. */
+std::int32_t
+partBeside (const PlaneSamples& samples,
+            const std::vector<std::int32_t>& owners,
+            int u,
+            int v,
+            const std::array<int, 2>& step)
 {
-  constexpr std::array<std::array<int, 2>, 4> steps{{{0, -1}, {-1, 0}, {1, 0}, {0, 1}}};
-  const auto ownerAt = [&] (int u, int v) {
-    if (u < 0 || v < 0 || u >= samples.width || v >= samples.height)
+  const auto ownerAt = [&] (int steps) {
+    const int x = u + steps * step[0], y = v + steps * step[1];
+    if (x < 0 || y < 0 || x >= samples.width || y >= samples.height)
       return outside;
-    const std::size_t i = samples.at (u, v);
+    const std::size_t i = samples.at (x, y);
     return owners[i] < 0 && !(samples.weight[i] > 0.f) ? outside : owners[i];
   };
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    if (owners[i] < 0 || !is_small[static_cast<std::size_t> (owners[i])])
-      continue;
-    const auto [u, v] = samples.placeOf (i);
-    for (const auto& [du, dv] : steps) {
-      std::int32_t beside = ownerAt (u + du, v + dv);
-      if (beside == none) // samples between planes may be of neither
-        beside = ownerAt (u + 2 * du, v + 2 * dv);
-      if (beside != owners[i])
-        visit (beside, i);
-    }
-  }
+  const std::int32_t beside = ownerAt (1);
+  return beside == none ? ownerAt (2)
+                        : beside; // samples between planes may be of neither
 }
 
 } // namespace
@@ -91,20 +85,27 @@ BentEnds::lookAround (const PlaneSamples& samples,
 {
   around_.assign (parts.size(), Surroundings());
   meetings_.clear();
-  visitSurroundings (
-      samples, owners, is_small_, [&] (std::int32_t beside, std::size_t i) {
-        Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
-        ++around.all;
-        around.outside += beside == outside;
-        if (beside < 0)
-          return;
-        ++around.of_planes;
-        meetings_.push_back ({i, beside});
-        // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
-        if (around.votes == 0)
-          around.plane = beside;
-        around.votes += beside == around.plane ? 1 : -1;
-      });
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (owners[i] < 0 || !is_small_[static_cast<std::size_t> (owners[i])])
+      continue;
+    Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
+    const auto [u, v] = samples.placeOf (i);
+    for (const auto& step : directions) {
+      const std::int32_t beside = partBeside (samples, owners, u, v, step);
+      if (beside == owners[i])
+        continue;
+      ++around.all;
+      around.outside += beside == outside;
+      if (beside < 0)
+        continue;
+      ++around.of_planes;
+      meetings_.push_back ({i, beside});
+      // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
+      if (around.votes == 0)
+        around.plane = beside;
+      around.votes += beside == around.plane ? 1 : -1;
+    }
+  }
   for (Surroundings& around : around_)
     if (around.plane != none)
       around.inverse_distance =

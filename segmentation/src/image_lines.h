@@ -5,7 +5,7 @@
 
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/segmentation/impl/image_margins.h>
-#include <pcl/segmentation/impl/obstacle_clusters.h>
+#include <pcl/segmentation/impl/pixel_angles.h>
 
 namespace pcl {
 namespace rgbd_planes {

@@ -29,19 +29,13 @@ areClose (const float* p, const float* q, const DepthNoise& noise, float angle)
   return squaredRange (way) <= limit * limit;
 }
 
-/** Word \a k of the points that are both thing, or both drop-off, in two rows. */
+/** Word \a k of the points of a row that are both thing, or both drop-off, with the point of
+ * \a other that is \a aside columns further right. */
 std::uint64_t
-sameThing (const ClassBits& a, const ClassBits& b, std::size_t k)
+sameThing (const ClassBits& row, const ClassBits& other, std::size_t k, int aside)
 {
-  return (a.thing[k] & b.thing[k]) | (a.drop_off[k] & b.drop_off[k]);
-}
-
-/** Word \a k of the points that are both with the point \a by before them. */
-std::uint64_t
-sameThing (const ClassBits& row, std::size_t k, std::size_t by)
-{
-  return (row.thing[k] & movedRight (row.thing, k, by)) |
-         (row.drop_off[k] & movedRight (row.drop_off, k, by));
+  return (row.thing[k] & moved (other.thing, k, aside)) |
+         (row.drop_off[k] & moved (other.drop_off, k, aside));
 }
 
 } // namespace
@@ -86,14 +80,14 @@ ObstacleClusters::addRow (const OrganizedPoints& points,
   findRuns (points, links.to_left, row);
   if (v >= 1) {
     for (std::size_t k = 0; k < linked_.size(); ++k)
-      linked_[k] = links.to_above[k] & sameThing (above.classes, row.classes, k);
+      linked_[k] = links.to_above[k] & sameThing (row.classes, above.classes, k, 0);
     joinRows (above, row, linked_, 0, [] (std::size_t) { return true; });
     joinDiagonals (points, above, row);
   }
   if (v >= 2) {
     for (std::size_t k = 0; k < candidates_.size(); ++k)
       candidates_[k] =
-          above.classes.unmeasured[k] & sameThing (before.classes, row.classes, k);
+          above.classes.unmeasured[k] & sameThing (row.classes, before.classes, k, 0);
     joinRows (before, row, candidates_, 0, [&] (std::size_t u) {
       return areClose (points[row.first + u],
                        points[before.first + u],
@@ -119,13 +113,13 @@ ObstacleClusters::findRuns (const OrganizedPoints& points,
   std::size_t ends = row.runs; // runs whose length is known
   std::uint64_t last_of_word = 0;
   for (std::size_t k = 0; k < to_left.size(); ++k) {
-    const std::uint64_t joined = to_left[k] & sameThing (classes, k, 1);
+    const std::uint64_t joined = to_left[k] & sameThing (classes, classes, k, -1);
     const std::uint64_t changes =
-        has_excluded_ ? classes.excluded[k] ^ movedRight (classes.excluded, k, 1) : 0;
+        has_excluded_ ? classes.excluded[k] ^ moved (classes.excluded, k, -1) : 0;
     const std::uint64_t continued = joined & ~changes;
     const std::uint64_t starts = any (k) & ~continued;
-    const std::uint64_t bridged =
-        starts & sameThing (classes, k, 2) & movedRight (classes.unmeasured, k, 1);
+    const std::uint64_t bridged = starts & sameThing (classes, classes, k, -2) &
+                                  moved (classes.unmeasured, k, -1);
     const std::size_t first = row.first + k * bits_in_word;
     forEachBit (starts, [&] (std::size_t bit) {
       const auto run = static_cast<std::uint32_t> (runs_.size());
@@ -183,15 +177,9 @@ ObstacleClusters::joinDiagonals (const OrganizedPoints& points,
 {
   const float angle = std::hypot (angles_.in_row, angles_.in_column);
   for (const int aside : {-1, 1}) {
-    const auto moved = [=] (const RowBits& bits, std::size_t k) {
-      return aside < 0 ? movedRight (bits, k, 1) : movedLeft (bits, k);
-    };
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const std::uint64_t same =
-          (below.classes.thing[k] & moved (above.classes.thing, k)) |
-          (below.classes.drop_off[k] & moved (above.classes.drop_off, k));
-      candidates_[k] = same & ~(linked_[k] | moved (linked_, k));
-    }
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
+      candidates_[k] = sameThing (below.classes, above.classes, k, aside) &
+                       ~(linked_[k] | moved (linked_, k, aside));
     joinRows (above, below, candidates_, aside, [&] (std::size_t u) {
       return areClose (
           points[below.first + u], points[above.first + u + aside], noise_, angle);

@@ -38,21 +38,19 @@ nextBit (const RowBits& bits, std::size_t point)
   return std::numeric_limits<std::size_t>::max();
 }
 
-/** A word whose bits are those of \a bits for the points \a by before its own. */
+/** A word whose bits are those of \a bits for the points \a aside columns further right than its
+ * own, or further left where that is less than 0. */
 inline std::uint64_t
-movedRight (const RowBits& bits, std::size_t k, std::size_t by)
+moved (const RowBits& bits, std::size_t k, int aside)
 {
-  const std::uint64_t before = k > 0 ? bits[k - 1] >> (bits_in_word - by) : 0;
-  return bits[k] << by | before;
-}
-
-/** A word whose bits are those of \a bits for the points after its own. */
-inline std::uint64_t
-movedLeft (const RowBits& bits, std::size_t k)
-{
-  const std::uint64_t after =
-      k + 1 < bits.size() ? bits[k + 1] << (bits_in_word - 1) : 0;
-  return bits[k] >> 1 | after;
+  if (aside == 0)
+    return bits[k];
+  if (aside < 0) {
+    const std::uint64_t before = k > 0 ? bits[k - 1] : 0;
+    return bits[k] << -aside | before >> (bits_in_word + aside);
+  }
+  const std::uint64_t after = k + 1 < bits.size() ? bits[k + 1] : 0;
+  return bits[k] >> aside | after << (bits_in_word - aside);
 }
 
 } // namespace rgbd_planes

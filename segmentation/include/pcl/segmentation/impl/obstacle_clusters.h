@@ -8,6 +8,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/segmentation/impl/disjoint_sets.h>
+#include <pcl/segmentation/impl/pixel_angles.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -18,12 +19,6 @@ namespace rgbd_planes {
 
 /** \brief A bit for each point of a row of an image, 64 to a word. */
 using RowBits = std::vector<std::uint64_t>;
-
-/** \brief Angles between the rays of neighbouring pixels, in radians; 0 where no two are
- * measured. */
-struct PixelAngles {
-  float in_row = 0.f, in_column = 0.f;
-};
 
 /** \brief The points of a row that are close to the one before, and to the one above them: the
  * distance between them is at most 5 cm, or two pixels where these are wider, and three standard

@@ -8,6 +8,7 @@
 #include <pcl/filters/obstacle_class.h>
 #include <pcl/segmentation/impl/floor_plane.h>
 #include <pcl/segmentation/impl/obstacle_clusters.h>
+#include <pcl/segmentation/impl/pixel_angles.h>
 #include <pcl/segmentation/impl/point_row.h>
 
 #include <cstddef>
