@@ -44,7 +44,9 @@ partBeside (const PlaneSamples& samples,
     if (x < 0 || y < 0 || x >= samples.width || y >= samples.height)
       return outside;
     const std::size_t i = samples.at (x, y);
-    return owners[i] < 0 && !(samples.weight[i] > 0.f) ? outside : owners[i];
+    if (owners[i] >= 0)
+      return owners[i];
+    return samples.weight[i] > 0.f ? none : outside;
   };
   const std::int32_t beside = ownerAt (1);
   return beside == none ? ownerAt (2)
