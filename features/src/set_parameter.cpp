@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/impl/set_parameter.h>
 
+#include <limits>
 #include <sstream>
 
 namespace pcl {
@@ -30,8 +31,9 @@ refuseParameter (
     keeping << kept;
   else
     keeping << "the default, which goes with the input";
-  PCL_ERROR ("[pcl::%s] The value must be a number, %s 0%s, got %g. Keeping %s.\n",
+  PCL_ERROR ("[pcl::%s] The value must be a %s, %s 0%s, got %g. Keeping %s.\n",
              setter.c_str(),
+             max < std::numeric_limits<double>::infinity() ? "finite number" : "number",
              may_be_zero ? "at least" : "more than",
              limit.str().c_str(),
              value,

@@ -21,7 +21,7 @@ namespace pcl {
  * switched off, setRectSize has an effect, and every valid point with a surface around it gets a
  * normal. Interlaced clouds have none: where every second row or column is missing, or points
  * form a checkerboard, no point has a valid neighbour along one axis. Time is linear in the
- * number of points and hardly depends on the size of the smoothing area.
+ * number of points, and a third longer for smoothing areas of 64 pixels than for those of 8.
  *
  * -# Tangents are the differences between neighbouring points to the left and right, and
  *    above and below, where both lie on one surface: by a model of the noise of depth;
@@ -122,9 +122,9 @@ public:
   /** \brief Width and height of the smoothing area in pixels. Where the area grows with
    * range, this is its size at 1 m. Default: 3/160 of the longer side of the image, at
    * least 4: less than for PCL's class, because planes are averaged afterwards. Areas reach
-   * the nearest whole number of cells to each side: sizes from 10 up to 14 are the same in large
-   * images. Areas of more than 200 pixels round tangents, which turns
-   * normals: doc/limits.md says by how much.
+   * the nearest whole number of cells to each side: sizes from 10 to less than 14 are the same
+   * in large images. Areas of more than 200 pixels round tangents, which turns normals:
+   * doc/limits.md says by how much.
    * \param[in] normal_smoothing_size more than 0; other values are refused with an
    * error
    */

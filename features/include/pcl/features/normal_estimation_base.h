@@ -40,7 +40,7 @@ public:
   /** \brief Normals face this point, in the frame and unit of the points. It tells
    * nothing else: ranges are distances from the sensor origin of the input, which has to be
    * set in clouds that are not in the frame of their sensor, as CameraToBase does. One that is
-   * NaN: an error message, and the one before stays. */
+   * not finite: an error message, and the one before stays. */
   void
   setViewPoint (float vpx, float vpy, float vpz);
 

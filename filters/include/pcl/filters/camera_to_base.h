@@ -38,7 +38,7 @@ namespace pcl {
  * copy with a pose of zero and identity.
  * Output and input may be the same cloud, but not through a pointer to pcl::Filter, which
  * would keep header and sensor pose of the input. No cloud or an index outside of it: an
- * error message and an empty output.
+ * error message and an empty output, but what pcl::Filter leaves where there is no cloud.
  *
  * \ingroup filters
  */

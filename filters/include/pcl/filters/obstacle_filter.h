@@ -35,7 +35,8 @@ namespace pcl {
  * keeps the organization and gives removed points the user filter value, also those that are not
  * among the indices; getRemovedIndices has the removed points that are, unless the
  * constructor was told not to collect them. Classes that are missing or of another size than
- * the input, or an index outside of it: an error message, and nothing is kept. Without an
+ * the input, or an index outside of it: an error message, and nothing is kept; after such an
+ * index all points are removed. Without an
  * input, after an error message of PCL, the output stays as it was.
  *
  * \ingroup filters
