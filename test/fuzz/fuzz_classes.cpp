@@ -8,7 +8,7 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
-#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/filters/depth_warp_correction.h>
 #include <pcl/filters/obstacle_filter.h>
 #include <pcl/filters/project_onto_planes.h>

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <pcl/console/print.h>
-#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/point_cloud.h>
 #include <pcl/register_point_struct.h>
 
@@ -78,13 +77,11 @@ computeNormalsSpherical (const pcl::PointCloud<PointT>& cloud,
                          pcl::PointCloud<NormalSpherical>& spherical)
 {
   spherical.clear();
-  if (!rgbd_planes::areOfPoints (&normals, cloud)) {
-    PCL_ERROR ("[pcl::computeNormalsSpherical] The cloud has %s points and %s normals: "
-               "give one normal for each point.\n",
-               rgbd_planes::numberOfPoints (&cloud).c_str(),
-               rgbd_planes::numberOfPoints (&normals).c_str());
+  if (rgbd_planes::isFault (
+          "computeNormalsSpherical",
+          rgbd_planes::faultOfOthers (
+              "normals", &normals, cloud, "give one normal for each point.")))
     return false;
-  }
   spherical.header = cloud.header;
   spherical.sensor_origin_ = cloud.sensor_origin_;
   spherical.sensor_orientation_ = cloud.sensor_orientation_;

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/console/print.h>
 #include <pcl/features/depth_noise.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/impl/sensor_points.h>
 #include <pcl/features/rgbd_planes_exports.h>
@@ -61,11 +61,9 @@ public:
   bool
   addFrame (const pcl::PointCloud<PointT>& cloud)
   {
-    const std::string fault = rgbd_planes::faultOfInput (&cloud, nullptr);
-    if (!fault.empty()) {
-      PCL_ERROR ("[pcl::DepthNoiseEstimation::addFrame] %s\n", fault.c_str());
+    if (rgbd_planes::isFault ("DepthNoiseEstimation::addFrame",
+                              rgbd_planes::faultOfInput (&cloud, nullptr)))
       return false;
-    }
     addPoints (rgbd_planes::SensorPoints().of (cloud));
     return true;
   }

@@ -375,9 +375,9 @@ private:
   void
   setRange (const char* setter, double low, double high, float& min, float& max);
 
-  bool
-  checkInput (const std::vector<ModelCoefficients>& model_coefficients,
-              const std::vector<PointIndices>& inlier_indices) const;
+  std::string
+  faultOf (const std::vector<ModelCoefficients>& model_coefficients,
+           const std::vector<PointIndices>& inlier_indices) const;
 
   void
   findObjects (const std::vector<ModelCoefficients>& model_coefficients,

@@ -6,6 +6,7 @@
 #include <pcl/common/point_tests.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/first_in_a_row.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/impl/set_parameter.h>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/normal_estimation_base.h>
 #include <pcl/type_traits.h>
 
@@ -65,10 +65,8 @@ NormalEstimationBase<PointInT, PointOutT>::initCompute()
     fault = faultOfOrigin (input_->sensor_origin_);
   if (fault.empty() && forIndices())
     fault = faultOfIndices (indices_.get(), input_->size());
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s] %s\n", feature_name_.c_str(), fault.c_str());
+  if (isFault (feature_name_, fault))
     return false;
-  }
   // Copies of an estimator share the indices that PCL makes up for whole clouds; they
   // would resize them under each other's feet.
   if (fake_indices_ && indices_.use_count() > 1)

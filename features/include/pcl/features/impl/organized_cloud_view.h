@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -85,70 +84,6 @@ noneIsUnit (const pcl::PointCloud<PointT>& normals)
          std::any_of (normals.begin(), normals.end(), [] (const PointT& normal) {
            return std::isfinite (squaredRange (&normal.normal_x));
          });
-}
-
-/** \brief What to tell a user whose cloud of \a size points is not an image that holds all of
- * them; empty if it is. */
-PCL_RGBD_PLANES_EXPORTS std::string
-faultOfImage (std::size_t size, std::uint32_t width, std::uint32_t height);
-
-template <typename PointT>
-std::string
-faultOfImage (const pcl::PointCloud<PointT>& cloud)
-{
-  return faultOfImage (cloud.size(), cloud.width, cloud.height);
-}
-
-/** \brief Whether there is one of \a others, as normals or labels, for each point of \a cloud:
- * images of another shape have the same number in another order. */
-template <typename OtherT, typename PointT>
-bool
-areOfPoints (const pcl::PointCloud<OtherT>* others,
-             const pcl::PointCloud<PointT>& cloud)
-{
-  return others && others->size() == cloud.size() &&
-         (others->width == cloud.width || !others->isOrganized() ||
-          !cloud.isOrganized());
-}
-
-/** \brief How many points \a cloud has, for messages: 0 for null, 640 x 480 for an image. */
-template <typename PointT>
-std::string
-numberOfPoints (const pcl::PointCloud<PointT>* cloud)
-{
-  if (!cloud || !faultOfImage (*cloud).empty())
-    return std::to_string (cloud ? cloud->size() : 0);
-  return std::to_string (cloud->width) + " x " + std::to_string (cloud->height);
-}
-
-/** \brief What to tell a user whose cloud does not say where the sensor was; empty if it
- * does.
- * \param[in] sensor_origin the member of the cloud
- */
-PCL_RGBD_PLANES_EXPORTS std::string
-faultOfOrigin (const Eigen::Vector4f& sensor_origin);
-
-/** \brief Whether every index is one of a cloud of \a size points. */
-PCL_RGBD_PLANES_EXPORTS bool
-indicesInside (const pcl::Indices& indices, std::size_t size);
-
-/** \brief What to tell a user whose \a indices are not all of a cloud of \a size points;
- * empty if they are, and without indices. */
-PCL_RGBD_PLANES_EXPORTS std::string
-faultOfIndices (const pcl::Indices* indices, std::size_t size);
-
-/** \brief What to tell a user whose \a cloud is missing or no image, or who gave \a indices
- * outside of it; empty if all is well. */
-template <typename PointT>
-std::string
-faultOfInput (const pcl::PointCloud<PointT>* cloud, const pcl::Indices* indices)
-{
-  if (!cloud)
-    return "No input cloud: call setInputCloud first.";
-  std::string fault = faultOfImage (*cloud);
-  if (fault.empty())
-    fault = faultOfOrigin (cloud->sensor_origin_);
-  return fault.empty() ? faultOfIndices (indices, cloud->size()) : fault;
 }
 
 /** \brief Sets \a selected to 1 for the points of \a indices and 0 for the others of \a size

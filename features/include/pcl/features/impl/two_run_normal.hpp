@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/normal_estimation_base.hpp>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/two_run_normal.h>
@@ -30,26 +31,19 @@ viewAnyPoints (const pcl::PointCloud<PointT>& cloud)
   return points;
 }
 
-/** \brief Whether the cloud has points, and as many as its width and height say if it
- * is organized. */
-template <typename PointT>
-bool
-isFilled (const pcl::PointCloud<PointT>& cloud)
-{
-  return !cloud.empty() &&
-         (!cloud.isOrganized() ||
-          cloud.size() == static_cast<std::size_t> (cloud.width) * cloud.height);
-}
-
-/** \brief What to tell a user whose \a cloud, called \a name, is not filled. */
+/** \brief What to tell a user whose \a cloud, called \a name, has no points, or not as many as
+ * an image of its width and height; empty if it has. */
 template <typename PointT>
 std::string
-notFilled (const std::string& name, const pcl::PointCloud<PointT>& cloud)
+faultOfCloud (const std::string& name, const pcl::PointCloud<PointT>& cloud)
 {
-  return "The " + name + " has " + std::to_string (cloud.size()) + " points where " +
-         std::to_string (cloud.width) + " x " + std::to_string (cloud.height) +
-         " are needed: give a cloud with points, and as many as its width and height "
-         "say.";
+  if (cloud.empty())
+    return "The " + name + " has no points: give some.";
+  if (cloud.isOrganized() && !faultOfImage (cloud).empty())
+    return "The " + name + " has " + std::to_string (cloud.size()) + " points where " +
+           std::to_string (cloud.width) + " x " + std::to_string (cloud.height) +
+           " are needed: give as many as its width and height say.";
+  return {};
 }
 
 } // namespace rgbd_planes
@@ -111,10 +105,11 @@ template <typename PointInT, typename PointOutT>
 std::string
 TwoRunNormalEstimation<PointInT, PointOutT>::complaint() const
 {
-  if (!rgbd_planes::isFilled (*input_))
-    return rgbd_planes::notFilled ("input", *input_);
-  if (surface_ && !rgbd_planes::isFilled (*surface_))
-    return rgbd_planes::notFilled ("search surface", *surface_);
+  std::string fault = rgbd_planes::faultOfCloud ("input", *input_);
+  if (fault.empty() && surface_)
+    fault = rgbd_planes::faultOfCloud ("search surface", *surface_);
+  if (!fault.empty())
+    return fault;
   if (!input_->sensor_orientation_.coeffs().allFinite())
     return "The sensor_orientation_ of the input cloud is not finite: set it to the "
            "rotation of the camera, the identity in its own frame.";

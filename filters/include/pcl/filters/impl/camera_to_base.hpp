@@ -4,7 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/camera_to_base.h>
 #include <pcl/filters/impl/copy_points.h>
@@ -63,8 +63,7 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
   const bool for_indices = use_indices_ && !fake_indices_;
   const std::string fault = rgbd_planes::faultOfIndices (
       for_indices ? indices_.get() : nullptr, input_->size());
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+  if (rgbd_planes::isFault (getClassName(), fault)) {
     output.clear();
     return;
   }

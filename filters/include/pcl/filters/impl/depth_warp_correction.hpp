@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/depth_warp_correction.h>
@@ -44,9 +45,7 @@ DepthWarpCorrection<PointT>::addFrame (
           "Most points are nowhere near their planes: pass the planes of this cloud, "
           "in the frame of the camera.";
   }
-  if (!fault.empty())
-    PCL_ERROR ("[pcl::%s::addFrame] %s\n", getClassName().c_str(), fault.c_str());
-  return fault.empty();
+  return !rgbd_planes::isFault (getClassName() + "::addFrame", fault);
 }
 
 template <typename PointT>
@@ -113,8 +112,7 @@ DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
         "There are no frames yet: pass their planes to addFrame, or a warp to setWarp.";
   if (fault.empty())
     fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+  if (rgbd_planes::isFault (getClassName(), fault)) {
     output.clear();
     return;
   }

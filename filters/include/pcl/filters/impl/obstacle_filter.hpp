@@ -4,8 +4,7 @@
 #pragma once
 
 #include <pcl/common/io.h>
-#include <pcl/console/print.h>
-#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/impl/copy_points.h>
 #include <pcl/filters/impl/filter_indices.hpp>
@@ -26,13 +25,13 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
   removed_indices_->clear();
   std::string fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
   const bool have_indices = fault.empty();
-  if (have_indices && !rgbd_planes::areOfPoints (classes_.get(), *input_))
-    fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
-            " points and " + rgbd_planes::numberOfPoints (classes_.get()) +
-            " classes: pass the classes of ObstacleDetection::detect for this cloud to "
-            "setClasses.";
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+  if (have_indices)
+    fault = rgbd_planes::faultOfOthers (
+        "classes",
+        classes_.get(),
+        *input_,
+        "pass the classes of ObstacleDetection::detect for this cloud to setClasses.");
+  if (rgbd_planes::isFault (getClassName(), fault)) {
     if (extract_removed_indices_ && have_indices)
       *removed_indices_ = *indices_;
     else if (extract_removed_indices_) {

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <pcl/console/print.h>
-#include <pcl/features/impl/organized_cloud_view.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/filters/project_onto_planes.h>
 
@@ -39,11 +38,13 @@ std::string
 ProjectOntoPlanes<PointT>::faultOfPlanes() const
 {
   const std::size_t size = input_->size();
-  if (labels_ && !rgbd_planes::areOfPoints (labels_.get(), *input_))
-    return "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
-           " points and " + rgbd_planes::numberOfPoints (labels_.get()) +
-           " labels: pass a label for each point to setInputPlanes.";
-  if (!labels_ && inliers_.size() != planes_.size())
+  if (labels_)
+    return rgbd_planes::faultOfOthers (
+        "labels",
+        labels_.get(),
+        *input_,
+        "pass a label for each point to setInputPlanes.");
+  if (inliers_.size() != planes_.size())
     return "There are " + std::to_string (planes_.size()) + " planes and " +
            std::to_string (inliers_.size()) +
            " lists of their points: pass a label for each point, or the indices of the "
@@ -66,10 +67,8 @@ ProjectOntoPlanes<PointT>::assignPlanes()
     fault = rgbd_planes::faultOfOrigin (input_->sensor_origin_);
   if (fault.empty())
     fault = faultOfPlanes();
-  if (!fault.empty()) {
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
+  if (rgbd_planes::isFault (getClassName(), fault))
     return false;
-  }
   if (!labels_) {
     rgbd_planes::fillPlaneOf (inliers_, size, plane_of_);
     return true;

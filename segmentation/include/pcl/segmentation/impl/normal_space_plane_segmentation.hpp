@@ -5,6 +5,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/features/impl/first_in_a_row.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/impl/plane_points.h>
 #include <pcl/segmentation/normal_space_plane_segmentation.h>
@@ -46,14 +47,14 @@ bool
 NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
 {
   std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
-  if (fault.empty() && !rgbd_planes::areOfPoints (normals_.get(), *input_))
-    fault = "The input has " + rgbd_planes::numberOfPoints (input_.get()) +
-            " points and " + rgbd_planes::numberOfPoints (normals_.get()) +
-            " normals: compute a normal for each point of the whole cloud and pass "
-            "them to setInputNormals.";
-  if (!fault.empty())
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
-  return fault.empty();
+  if (fault.empty())
+    fault = rgbd_planes::faultOfOthers (
+        "normals",
+        normals_.get(),
+        *input_,
+        "compute a normal for each point of the whole cloud and pass them to "
+        "setInputNormals.");
+  return !rgbd_planes::isFault (getClassName(), fault);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -6,6 +6,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/impl/first_in_a_row.h>
 #include <pcl/features/impl/frame_noise.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/segmentation/obstacle_detection.h>
 
@@ -84,9 +85,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
             " normals and " + rgbd_planes::numberOfPoints (labels_.get()) +
             " labels: pass a normal and a label for each point of the whole cloud to "
             "setInputNormals and setInputPlanes.";
-  if (!fault.empty())
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), fault.c_str());
-  return fault.empty();
+  return !rgbd_planes::isFault (getClassName(), fault);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -6,6 +6,7 @@
 #include <pcl/console/print.h>
 #include <pcl/features/impl/first_in_a_row.h>
 #include <pcl/features/impl/frame_noise.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/features/impl/organized_cloud_view.h>
 #include <pcl/filters/impl/plane_points.h>
 #include <pcl/segmentation/supported_object_extraction.h>
@@ -37,35 +38,31 @@ SupportedObjectExtraction<PointT, PointNT>::setRange (
 }
 
 template <typename PointT, typename PointNT>
-bool
-SupportedObjectExtraction<PointT, PointNT>::checkInput (
+std::string
+SupportedObjectExtraction<PointT, PointNT>::faultOf (
     const std::vector<ModelCoefficients>& model_coefficients,
     const std::vector<PointIndices>& inlier_indices) const
 {
-  const auto complain = [this] (const std::string& what) {
-    PCL_ERROR ("[pcl::%s] %s\n", getClassName().c_str(), what.c_str());
-    return false;
-  };
-  const std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
+  std::string fault = rgbd_planes::faultOfInput (input_.get(), indices_.get());
   if (!fault.empty())
-    return complain (fault);
+    return fault;
   if (parameters_.split_at_concave_edges &&
       !rgbd_planes::areOfPoints (normals_.get(), *input_))
-    return complain (
-        "Splitting at concave edges needs a normal for each point of the whole "
-        "cloud: pass them to setInputNormals.");
+    return "Splitting at concave edges needs a normal for each point of the whole "
+           "cloud: "
+           "pass them to setInputNormals.";
   if (model_coefficients.size() != inlier_indices.size())
-    return complain ("There are " + std::to_string (model_coefficients.size()) +
-                     " planes and inliers of " +
-                     std::to_string (inlier_indices.size()) +
-                     ": give both as the segmentation returned them.");
+    return "There are " + std::to_string (model_coefficients.size()) +
+           " planes and inliers of " + std::to_string (inlier_indices.size()) +
+           ": give both as the segmentation returned them.";
   for (std::size_t k = 0; k < inlier_indices.size(); ++k)
     if (model_coefficients[k].values.size() != 4 ||
         !rgbd_planes::indicesInside (inlier_indices[k].indices, input_->size()))
-      return complain ("Plane " + std::to_string (k) +
-                       " needs four coefficients and inliers that lie inside the input "
-                       "cloud: is it from another cloud?");
-  return true;
+      return "Plane " + std::to_string (k) +
+             " needs four coefficients and inliers that lie inside the input cloud: is "
+             "it "
+             "from another cloud?";
+  return {};
 }
 
 template <typename PointT, typename PointNT>
@@ -84,7 +81,8 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     whole_things_ = rgbd_planes::WholeThings();
     boxes_ = rgbd_planes::ObjectBoxFinder();
   };
-  if (!checkInput (model_coefficients, inlier_indices))
+  if (rgbd_planes::isFault (getClassName(),
+                            faultOf (model_coefficients, inlier_indices)))
     return forget();
   try {
     findObjects (model_coefficients, inlier_indices, objects);
