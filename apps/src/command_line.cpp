@@ -15,19 +15,14 @@ namespace po = boost::program_options;
 namespace pcl {
 namespace rgbd_planes {
 
+const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line or an "
+                         "input is wrong, or a file "
+                         "cannot be\nwritten; a line on stderr then says what to do.\n";
+
 void
 addHelpOptions (po::options_description& options)
 {
   options.add_options() ("help,h", "print this help") ("version", "print the version");
-}
-
-bool
-printVersion (const po::variables_map& values)
-{
-  if (!values.count ("version"))
-    return false;
-  std::cout << "pcl_rgbd_planes " PCL_RGBD_PLANES_VERSION "\n";
-  return true;
 }
 
 po::variables_map
@@ -61,6 +56,29 @@ parseCommandLine (int argc,
                     boost::to_upper_copy (arguments) +
                     " may be given; put numbers that belong together between commas "
                     "without spaces; see --help");
+  return values;
+}
+
+std::optional<po::variables_map>
+readCommandLine (int argc,
+                 char** argv,
+                 const po::options_description& options,
+                 const std::string& arguments,
+                 int max_arguments,
+                 const std::string& help)
+{
+  po::variables_map values =
+      parseCommandLine (argc, argv, options, arguments, max_arguments);
+  if (values.count ("version")) {
+    std::cout << "pcl_rgbd_planes " PCL_RGBD_PLANES_VERSION "\n";
+    return std::nullopt;
+  }
+  if (values.count ("help")) {
+    std::cout << help << '\n' << options << '\n' << exit_help;
+    return std::nullopt;
+  }
+  if (!values.count (arguments))
+    throw AppError ("no " + boost::to_upper_copy (arguments) + " given; see --help");
   return values;
 }
 

@@ -14,20 +14,8 @@
 #include <boost/format.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace pcl {
 namespace rgbd_planes {
-
-namespace {
-
-std::string
-number (double value, const char* format)
-{
-  return std::isnan (value) ? "-" : (boost::format (format) % value).str();
-}
-
-} // namespace
 
 DetectionComparison::DetectionComparison (const std::vector<std::uint32_t>& steps,
                                           const DepthNoise& noise)
@@ -83,19 +71,19 @@ DetectionComparison::table() const
   for (const auto& result : results_) {
     const ObstacleEvaluation& o = result.obstacles;
     const auto figures = objectFigures (result.objects);
-    const auto figure = [&] (const char* key, const char* format) {
+    const auto figure = [&] (const char* key, int digits) {
       const auto& value = figures.at (key);
-      return value.is_null() ? "-" : number (value.get<double>(), format);
+      return value.is_null() ? "-" : numberText (value.get<double>(), digits);
     };
-    text += (boost::format ("%-5s %8d %6s %8s %10s %6s %9s %10d %6s %14s %7.1f\n") %
-             result.resolution % result.objects.all().objects %
-             figure ("objects_percent", "%.1f") % figure ("apart_50_percent", "%.1f") %
-             figure ("objects_in_pieces", "%.0f") % figure ("false_objects", "%.0f") %
-             figure ("false_object_points_percent", "%.3f") % o.obstacles %
-             number (o.obstaclesPercent(), "%.1f") %
-             number (o.falsePointsPercent(), "%.3f") %
-             (1000. / median (result.milliseconds)))
-                .str();
+    text +=
+        (boost::format ("%-5s %8d %6s %8s %10s %6s %9s %10d %6s %14s %7.1f\n") %
+         result.resolution % result.objects.all().objects %
+         figure ("objects_percent", 1) % figure ("apart_50_percent", 1) %
+         figure ("objects_in_pieces", 0) % figure ("false_objects", 0) %
+         figure ("false_object_points_percent", 3) % o.obstacles %
+         numberText (o.obstaclesPercent(), 1) % numberText (o.falsePointsPercent(), 3) %
+         (1000. / median (result.milliseconds)))
+            .str();
   }
   return text;
 }

@@ -53,17 +53,12 @@ readEvaluationCommand (int argc,
     options.add (own);
   options.add (inputOptionsDescription());
   EvaluationCommand command;
-  command.values = parseCommandLine (argc, argv, options, "input", -1);
+  const auto given =
+      readCommandLine (argc, argv, options, "input", -1, usage + '\n' + inputHelp());
+  if (!given)
+    return std::nullopt;
+  command.values = *given;
   const po::variables_map& values = command.values;
-  if (printVersion (values))
-    return std::nullopt;
-  if (values.count ("help")) {
-    std::cout << usage << '\n' << inputHelp() << '\n' << options << '\n' << exit_help;
-    return std::nullopt;
-  }
-  if (!values.count ("input"))
-    throw AppError ("no INPUT given; see --help");
-
   for (const auto& input : values["input"].as<std::vector<std::string>>()) {
     command.inputs.push_back (readInputOptions (input, values));
     if (!values["resolution"].defaulted())

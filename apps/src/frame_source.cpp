@@ -15,6 +15,7 @@
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/split.hpp>
 
@@ -149,11 +150,8 @@ FrameSource::addSimulated (const std::string& description)
   const std::string& scene = parts[0];
   const auto& names = sceneNames();
   if (std::find (names.begin(), names.end(), scene) == names.end()) {
-    std::string known;
-    for (const auto& name : names)
-      known += (known.empty() ? "" : ", ") + name;
     throw AppError (options_.input + ": unknown scene '" + scene + "'; known are " +
-                    known);
+                    boost::join (names, ", "));
   }
   if (parts.size() > 3)
     throw AppError (options_.input + ": more than SCENE:SEED:CAMERA; leave out what "

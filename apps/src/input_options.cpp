@@ -108,10 +108,6 @@ inputHelp ()
 )";
 }
 
-const char exit_help[] = "Exit code: 0 if all went well; 1 if the command line or an "
-                         "input is wrong, or a file "
-                         "cannot be\nwritten; a line on stderr then says what to do.\n";
-
 const char base_transform_help[] =
     "where the body of the camera (x forward, y left, z up, as ROS has its "
     "camera_link, not the optical frame) is in the frame of the robot, whose z = 0 is "

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -30,12 +29,8 @@ std::string
 normalTable (const std::vector<NormalResult>& results)
 {
   std::ostringstream table;
-  table << std::fixed;
   const auto number = [&] (double value, int width, int digits) {
-    if (std::isnan (value))
-      table << std::setw (width) << '-';
-    else
-      table << std::setw (width) << std::setprecision (digits) << value;
+    table << std::setw (width) << numberText (value, digits);
   };
   // clang-format off
   table << "method                      size   reference  "

@@ -17,16 +17,6 @@
 namespace pcl {
 namespace rgbd_planes {
 
-namespace {
-
-std::string
-cell (double value)
-{
-  return std::isnan (value) ? "-" : (boost::format ("%.1f") % value).str();
-}
-
-} // namespace
-
 ObjectTruth
 objectTruth (const Frame& frame)
 {
@@ -148,19 +138,20 @@ ObjectComparison::table() const
   for (const auto& result : results_) {
     const ObjectEvaluation& e = result.evaluation;
     const auto counts = [] (const ObjectCounts& c) {
-      return std::make_pair (cell (percentOf (c.found_50, c.objects)),
-                             cell (percentOf (c.found_80, c.objects)));
+      return std::make_pair (numberText (percentOf (c.found_50, c.objects), 1),
+                             numberText (percentOf (c.found_80, c.objects), 1));
     };
     const auto apart = counts (e.apart), touching = counts (e.touching),
                all = counts (e.all());
     text +=
         (boost::format (
              "%-15s %-5s %9s %7d %7s %7s %9d %7s %7s %11s %7s %10d %6d %10s %6s\n") %
-         result.method % result.resolution % cell (median (result.milliseconds)) %
-         e.apart.objects % apart.first % apart.second % e.touching.objects %
-         touching.first % touching.second % all.first % all.second % e.all().in_pieces %
-         e.false_objects % cell (percentOf (e.graspable_right, e.sized)) %
-         cell (percentOf (e.boxes_right, e.boxes)))
+         result.method % result.resolution %
+         numberText (median (result.milliseconds), 1) % e.apart.objects % apart.first %
+         apart.second % e.touching.objects % touching.first % touching.second %
+         all.first % all.second % e.all().in_pieces % e.false_objects %
+         numberText (percentOf (e.graspable_right, e.sized), 1) %
+         numberText (percentOf (e.boxes_right, e.boxes), 1))
             .str();
   }
   return text;

@@ -4,6 +4,7 @@
 #include <pcl/apps/app_error.h>
 #include <pcl/apps/command_line.h>
 #include <pcl/apps/display.h>
+#include <pcl/apps/frame_files.h>
 #include <pcl/apps/frame_grabber.h>
 #include <pcl/apps/input_options.h>
 #include <pcl/apps/interruption.h>
@@ -94,7 +95,7 @@ parseRate (const std::string& text)
 fs::path
 readScreenshot (const fs::path& file)
 {
-  if (file.extension() != ".png")
+  if (!hasExtension (file, ".png"))
     throw AppError ("--screenshot: '" + file.string() +
                     "' must end in .png, the format that is written");
   return file;
@@ -104,21 +105,16 @@ readScreenshot (const fs::path& file)
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
-  const po::options_description description = describeOptions();
-  const po::variables_map values =
-      parseCommandLine (argc, argv, description, "input", 1);
-  if (printVersion (values))
+  const auto given =
+      readCommandLine (argc,
+                       argv,
+                       describeOptions(),
+                       "input",
+                       1,
+                       usage + inputHelp() + "\nKeys\n" + viewerKeysHelp());
+  if (!given)
     return std::nullopt;
-  if (values.count ("help")) {
-    std::cout << usage << inputHelp() << "\nKeys\n"
-              << viewerKeysHelp() << '\n'
-              << description << '\n'
-              << exit_help;
-    return std::nullopt;
-  }
-  if (!values.count ("input"))
-    throw AppError ("no INPUT given; see --help");
-
+  const po::variables_map& values = *given;
   const auto value = [&] (const char* name) { return values[name].as<std::string>(); };
   Options options;
   options.input =

@@ -95,17 +95,11 @@ describeOptions ()
 std::optional<Options>
 readOptions (int argc, char** argv)
 {
-  const po::options_description options = describeOptions();
-  const po::variables_map values = parseCommandLine (argc, argv, options, "input", 1);
-  if (printVersion (values))
+  const auto given =
+      readCommandLine (argc, argv, describeOptions(), "input", 1, usage + inputHelp());
+  if (!given)
     return std::nullopt;
-  if (values.count ("help")) {
-    std::cout << usage << inputHelp() << '\n' << options << '\n' << exit_help;
-    return std::nullopt;
-  }
-  if (!values.count ("input"))
-    throw AppError ("no INPUT given; see --help");
-
+  const po::variables_map& values = *given;
   Options result;
   result.input =
       readInputOptions (values["input"].as<std::vector<std::string>>().front(), values);

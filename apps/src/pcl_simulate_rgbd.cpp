@@ -14,6 +14,7 @@
 #include <pcl/simulation/simulate.h>
 #include <pcl/simulation/subsample.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
 #include <iostream>
@@ -49,10 +50,10 @@ parseSensor (const std::string& text)
   throw AppError ("--sensor: '" + text + "' must be ideal, kinect or active_stereo");
 }
 
-void
-printHelp (const po::options_description& options)
+std::string
+helpText ()
 {
-  std::cout << R"(pcl_simulate_rgbd SCENE --output DIR [options]
+  return R"(pcl_simulate_rgbd SCENE --output DIR [options]
 
 Renders a frame of an RGB-D camera and what is true about it. Writes, with NAME for
 SCENE_SEED_SENSOR_RESOLUTION, or SCENE_SEED_CAMERA_... with --camera,
@@ -66,10 +67,8 @@ The other applications take NAME.pcd, and what is true about it with it, as sim:
   pcl_simulate_rgbd room --output simulated
   pcl_simulate_rgbd table_cluttered --seed 7 --sensor ideal --resolution qvga --output simulated
 
-SCENE is one of)";
-  for (const auto& scene : sceneNames())
-    std::cout << ' ' << scene;
-  std::cout << "\n\n" << options << '\n' << exit_help;
+SCENE is one of )" +
+         boost::join (sceneNames(), " ") + '\n';
 }
 
 /** Nothing where only help or the version was asked for, which is printed. */
@@ -96,15 +95,10 @@ readOptions (int argc, char** argv)
                "take every 1st, 2nd or 4th pixel") (
       "output", text ("DIR"), "write the files there") (
       "json", text ("FILE"), "write NAME_truth.json to FILE, too");
-  const po::variables_map values = parseCommandLine (argc, argv, options, "scene", 1);
-  if (printVersion (values))
+  const auto given = readCommandLine (argc, argv, options, "scene", 1, helpText());
+  if (!given)
     return std::nullopt;
-  if (values.count ("help")) {
-    printHelp (options);
-    return std::nullopt;
-  }
-  if (!values.count ("scene"))
-    throw AppError ("no SCENE given; see --help");
+  const po::variables_map& values = *given;
   if (!values.count ("output"))
     throw AppError ("no --output given; see --help");
 

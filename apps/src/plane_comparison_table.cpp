@@ -27,18 +27,14 @@ class Row {
 public:
   explicit Row (const PlaneResult& result)
   {
-    text_ << std::fixed << std::left << std::setw (15) << result.method << ' '
-          << std::setw (5) << result.resolution << std::right;
+    text_ << std::left << std::setw (15) << result.method << ' ' << std::setw (5)
+          << result.resolution << std::right;
   }
 
   Row&
   number (double value, int width, int digits = 0)
   {
-    text_ << std::setw (width);
-    if (std::isnan (value))
-      text_ << '-';
-    else
-      text_ << std::setprecision (digits) << value;
+    text_ << std::setw (width) << numberText (value, digits);
     return *this;
   }
 

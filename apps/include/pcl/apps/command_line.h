@@ -6,6 +6,7 @@
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
 
+#include <optional>
 #include <string>
 
 namespace pcl {
@@ -15,9 +16,8 @@ namespace rgbd_planes {
 void
 addHelpOptions (boost::program_options::options_description& options);
 
-/** \brief Prints the version where --version asks for it, which is returned. */
-bool
-printVersion (const boost::program_options::variables_map& values);
+/** \brief Exit codes, for --help. */
+extern const char exit_help[];
 
 /** \brief Reads a command line: options, and arguments without a name.
  * \param[in] arguments the name under which the latter are found, as a
@@ -31,6 +31,19 @@ parseCommandLine (int argc,
                   const boost::program_options::options_description& options,
                   const std::string& arguments,
                   int max_arguments);
+
+/** \brief The same for an application with addHelpOptions().
+ * \param[in] help printed for --help, before the options
+ * \return nothing where only help or the version was asked for, which is printed
+ * Throws AppError also where there are no arguments.
+ */
+std::optional<boost::program_options::variables_map>
+readCommandLine (int argc,
+                 char** argv,
+                 const boost::program_options::options_description& options,
+                 const std::string& arguments,
+                 int max_arguments,
+                 const std::string& help);
 
 } // namespace rgbd_planes
 } // namespace pcl

@@ -71,9 +71,6 @@ resolutionName (std::uint32_t step);
 std::string
 inputHelp ();
 
-/** \brief What --help says about the exit code. */
-extern const char exit_help[];
-
 /** \brief Columns of --help. */
 constexpr unsigned help_width = 100;
 

@@ -4,9 +4,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <limits>
 #include <numeric>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace pcl {
@@ -46,6 +50,17 @@ percentUpTo (double limit, const std::vector<double>& values)
   const auto part = std::count_if (
       values.begin(), values.end(), [limit] (double value) { return value <= limit; });
   return percentOf (static_cast<std::size_t> (part), values.size());
+}
+
+/** \brief A number for a table; '-' for NaN. */
+inline std::string
+numberText (double value, int digits)
+{
+  if (std::isnan (value))
+    return "-";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (digits) << value;
+  return text.str();
 }
 
 } // namespace rgbd_planes
