@@ -116,70 +116,60 @@ std::vector<std::string>
 InputNotices::lines() const
 {
   constexpr double max_percent_left_out = 10.;
+  constexpr float max_change = 0.2f; // of the height of a camera that drives
   std::vector<std::string> lines;
+  const auto tellIf = [&lines] (bool is_so, const boost::format& line) {
+    if (is_so)
+      lines.push_back (line.str());
+  };
   const auto percent = [this] (std::size_t points) {
     return percentOf (points, std::max<std::size_t> (measured_points_, 1));
   };
   const DepthNoise& noise = options_.depth_noise;
-  if (percent (points_out_of_range_) > max_percent_left_out &&
-      std::isfinite (noise.max_range))
-    lines.push_back (
-        (boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
-                        "%.1f m of this sensor and are left out; %g,%g,%g is the same "
-                        "noise without a limit") %
-         percent (points_out_of_range_) % noise.max_range % noise.constant %
-         noise.quadratic % noise.normal_scatter)
-            .str());
-  if (percent (points_too_noisy_) > max_percent_left_out)
-    lines.push_back (
-        (boost::format (
-             "--depth-noise: %.0f %% of the measured points have noise of more "
-             "than a tenth of their range, which tells nothing; figures are in "
-             "metres, 0.001,0.002 for 1 mm + 2 mm z^2") %
-         percent (points_too_noisy_))
-            .str());
-  if (2 * noisy_frames_ > frames_)
-    lines.push_back (
-        (boost::format ("--depth-noise: %d of %d frames seem to have four times the "
-                        "noise of this sensor, or more; pcl_measure_depth_noise "
-                        "measures what they have") %
-         noisy_frames_ % frames_)
-            .str());
-  if (unmeasured_frames_ > 0)
-    lines.push_back (
-        (boost::format ("no measured point in %d of %d frames: all depth is "
-                        "missing there; check the camera or the recording") %
-         unmeasured_frames_ % frames_)
-            .str());
-  if (frames_out_of_scale_ > 0)
-    lines.push_back (
-        (boost::format ("in %d of %d frames most points are more than 100 m or less "
-                        "than 1 cm away: --depth-scale is units per metre, 1000 for "
-                        "millimetres; .pcd files must be in metres") %
-         frames_out_of_scale_ % frames_)
-            .str());
-  if (frames_elsewhere_ > 0)
-    lines.push_back (
-        (boost::format ("in %d of %d frames most points are not where a camera sees "
-                        "them: x right, y down and z forward from the camera is "
-                        "expected; give clouds in the frame of the camera, or its "
-                        "--intrinsics if they are wrong") %
-         frames_elsewhere_ % frames_)
-            .str());
-  if (is_warp_empty_)
-    lines.push_back (
-        "--corrected camera: no plane told the error of depth, and nothing is "
-        "corrected; give frames with walls or floor");
+  tellIf (percent (points_out_of_range_) > max_percent_left_out &&
+              std::isfinite (noise.max_range),
+          boost::format ("--depth-noise: %.0f %% of the measured points are beyond the "
+                         "%.1f m of this sensor and are left out; %g,%g,%g is the same "
+                         "noise without a limit") %
+              percent (points_out_of_range_) % noise.max_range % noise.constant %
+              noise.quadratic % noise.normal_scatter);
+  tellIf (
+      percent (points_too_noisy_) > max_percent_left_out,
+      boost::format ("--depth-noise: %.0f %% of the measured points have noise of "
+                     "more than a tenth of their range, which tells nothing; figures "
+                     "are in metres, 0.001,0.002 for 1 mm + 2 mm z^2") %
+          percent (points_too_noisy_));
+  tellIf (2 * noisy_frames_ > frames_,
+          boost::format ("--depth-noise: %d of %d frames seem to have four times the "
+                         "noise of this sensor, or more; pcl_measure_depth_noise "
+                         "measures what they have") %
+              noisy_frames_ % frames_);
+  tellIf (unmeasured_frames_ > 0,
+          boost::format ("no measured point in %d of %d frames: all depth is missing "
+                         "there; check the camera or the recording") %
+              unmeasured_frames_ % frames_);
+  tellIf (frames_out_of_scale_ > 0,
+          boost::format ("in %d of %d frames most points are more than 100 m or less "
+                         "than 1 cm away: --depth-scale is units per metre, 1000 for "
+                         "millimetres; .pcd files must be in metres") %
+              frames_out_of_scale_ % frames_);
+  tellIf (frames_elsewhere_ > 0,
+          boost::format ("in %d of %d frames most points are not where a camera sees "
+                         "them: x right, y down and z forward from the camera is "
+                         "expected; give clouds in the frame of the camera, or its "
+                         "--intrinsics if they are wrong") %
+              frames_elsewhere_ % frames_);
+  tellIf (is_warp_empty_,
+          boost::format ("--corrected camera: no plane told the error of depth, and "
+                         "nothing is corrected; give frames with walls or floor"));
   if (!estimated_pose_.empty())
     lines.push_back (estimated_pose_);
-  constexpr float max_change = 0.2f; // of a camera that drives
-  if (largest_height_ - least_height_ > max_change)
-    lines.push_back ((boost::format ("pose of the camera: estimated at %.2f to %.2f m "
-                                     "above what is taken for the floor, which may be "
-                                     "a table in some frames; --base-transform gives "
-                                     "the true one") %
-                      least_height_ % largest_height_)
-                         .str());
+  tellIf (
+      largest_height_ - least_height_ > max_change,
+      boost::format ("pose of the camera: estimated at %.2f to %.2f m above what is "
+                     "taken for the floor, which may be a table in some frames; "
+                     "--base-transform gives the true one") %
+          least_height_ % largest_height_);
   return lines;
 }
 
