@@ -60,15 +60,6 @@ ObjectClusters::lookAtMargin (const PointRun& run,
   });
 }
 
-/** What is level with another plane is nowhere, and yet may be too high. */
-bool
-ObjectClusters::isOutside (std::uint32_t i, const SupportSurface& support) const
-{
-  return place_[i] == outside ||
-         (place_[i] == nowhere &&
-          heightAbove (support, i) > parameters_.max_object_height);
-}
-
 void
 ObjectClusters::countLeak (std::uint32_t i,
                            const PointRun& run,
@@ -79,7 +70,7 @@ ObjectClusters::countLeak (std::uint32_t i,
   bool leaks = false, is_at_background = false;
   const auto lookAt = [&] (std::ptrdiff_t step) {
     const std::uint32_t j = nextPixel (points_, i, step);
-    if (isMeasured (points_[j]) && (is_background_[j] || isOutside (j, support)) &&
+    if (isMeasured (points_[j]) && (is_background_[j] || place_[j] == outside) &&
         limit.allows (points_[i], points_[j]))
       (is_background_[j] ? is_at_background : leaks) = true;
   };
@@ -125,7 +116,7 @@ ObjectClusters::countTop (std::uint32_t i,
   ++sums.tops;
   sums.passing += is_on_own && hasNoStep (i, k, support);
   sums.going_on += limit.allows (points_[i], points_[k])
-                       ? isOutside (k, support) || (is_on_plane && !is_on_own)
+                       ? place_[k] == outside || (is_on_plane && !is_on_own)
                        : squaredRange (points_[k]) < squaredRange (points_[i]);
 }
 

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -23,8 +22,6 @@ namespace {
 constexpr int max_level = 64;
 /** A level reaches so many of them up and down. */
 constexpr std::size_t level_width = 3;
-/** Parts of it that do not touch differ by less. */
-constexpr float max_part_height = 1.f;
 /** Flat parts of bent claims are made of so many strips, and have this share of the points of a
  * plane; one plane fits where the mean square of the errors, in standard deviations, is
  * smaller. */
@@ -128,54 +125,6 @@ PlaneGrowth::forEachClaim (std::uint32_t tile, const Visit& visit) const
               [&] (std::size_t bit) { visit (tile * PlaneSamples::tile_size + bit); });
 }
 
-/** Leaves the claims of the largest part of the seed that hangs together, and of those parts
- * that are as high in the mean: others lie on the level only where noise is large, as the far
- * end of another one.
- * \return the number of these claims */
-std::size_t
-PlaneGrowth::keepParts (const PlaneSamples& samples)
-{
-  for (const std::uint32_t tile : seed_tiles_)
-    looks_[tile] = claimsIn (tile) != 0 ? Look::at_seed : Look::none;
-  connected_.clear();
-  parts_.clear();
-  const auto reach = [this] (std::uint32_t tile) {
-    if (std::exchange (looks_[tile], Look::none) == Look::at_seed)
-      connected_.push_back (tile);
-  };
-  for (const std::uint32_t seed : seed_tiles_) {
-    Part part{connected_.size(), 0, 0, 0.f};
-    reach (seed);
-    for (std::size_t k = part.first; k < connected_.size(); ++k) {
-      forEachClaim (connected_[k], [&] (std::size_t i) {
-        ++part.claims;
-        part.height += heights_[i];
-      });
-      samples.forEachTileAround (connected_[k], reach);
-    }
-    part.last = connected_.size();
-    if (part.claims == 0)
-      continue;
-    part.height /= static_cast<float> (part.claims);
-    parts_.push_back (part);
-  }
-  const auto largest = std::max_element (
-      parts_.begin(), parts_.end(), [] (const Part& a, const Part& b) {
-        return a.claims < b.claims;
-      });
-  seed_tiles_.clear();
-  std::size_t number = 0;
-  for (const Part& part : parts_) {
-    if (!(std::abs (part.height - largest->height) < max_part_height))
-      continue;
-    number += part.claims;
-    for (std::size_t k = part.first; k < part.last; ++k)
-      seed_tiles_.push_back (connected_[k]);
-  }
-  std::sort (seed_tiles_.begin(), seed_tiles_.end());
-  return number;
-}
-
 /** Leaves those of a seed on which most points are of several planes one above the other, as
  * those of a step are, which no single plane fits. */
 PlaneMoments
@@ -201,11 +150,14 @@ PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
     levels.add (heights_[i]);
   });
   levels.findPeak();
+  std::size_t number = 0;
   forEachOfSeed ([&] (std::size_t i) {
-    if (!levels.isAtPeak (heights_[i]))
+    if (levels.isAtPeak (heights_[i]))
+      ++number;
+    else
       claimed_[i] = 0.f;
   });
-  return sumSeed (samples, keepParts (samples));
+  return sumSeed (samples, number);
 }
 
 /** The plane of the largest part of the claims that one plane fits, between two lines across

@@ -34,8 +34,6 @@ constexpr double min_on_no_thing = 0.5;
 /** What is next to each other differs in range by noise, and by so many widths of a pixel. */
 constexpr float sigmas = 3.f;
 constexpr float stretch = 1.5f;
-/** Sides that pixels of noise lean inwards go under their tops by no more of their height. */
-constexpr float max_side_slope = 0.1f;
 /** Stems are no wider in the mean, in metres, and so many times as high as they are wide. */
 constexpr float max_stem_width = 0.02f;
 constexpr float min_slenderness = 2.f;
@@ -164,19 +162,12 @@ RestingThings::lookBelow (std::uint32_t lowest,
       std::sqrt (squaredRange (points_[next->point])) >= range - limit)
     behind_.push_back (next->point);
   if (to.norm() > range + limit) {
-    const bool is_low = support.plane.distance (from.data()) <
-                        extent.low + std::max (parameters_.min_object_height,
-                                               sigmas * extent.sigma * rise);
     const Eigen::Vector2f border = support.project (from.data());
     const Eigen::Vector2f behind = support.project (to.data());
-    end.farther += is_low;
-    // The side of a thing that is seen flatly may be behind the border of its top.
-    const float drop =
-        support.plane.distance (from.data()) - support.plane.distance (to.data());
+    ++end.farther;
     const float under =
         (behind - border).dot ((extent.middle - border).stableNormalized());
-    end.in_air +=
-        is_low && under > pixels * pixel_angle_ * range + max_side_slope * drop;
+    end.in_air += under > pixels * pixel_angle_ * range;
   }
   else if (to.norm() >= range - limit && other == things_->size())
     end.on_no_thing += support.plane.distance (to.data()) > minLow (extent) &&

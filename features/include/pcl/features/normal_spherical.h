@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/features/impl/input_faults.h>
+#include <pcl/features/impl/organized_view.h>
 #include <pcl/point_cloud.h>
 #include <pcl/register_point_struct.h>
 

@@ -212,9 +212,6 @@ private:
   void
   lookAtMargin (const PointRun& run, const LinkLimit& limit, Sums& sums) const;
 
-  bool
-  isOutside (std::uint32_t i, const SupportSurface& support) const;
-
   void
   countLeak (std::uint32_t i,
              const PointRun& run,

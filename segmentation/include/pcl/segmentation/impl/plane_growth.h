@@ -69,13 +69,6 @@ public:
   }
 
 private:
-  /** A part of a seed: its tiles, from one to another of the connected ones, its claims and
-   * their mean height. */
-  struct Part {
-    std::size_t first, last, claims;
-    float height;
-  };
-
   enum class Look : std::uint8_t { none, at_seed, done };
 
   PlaneMoments
@@ -83,9 +76,6 @@ private:
 
   PlaneMoments
   keepLevel (const PlaneSamples& samples, const PlaneMoments& seed);
-
-  std::size_t
-  keepParts (const PlaneSamples& samples);
 
   template <typename Visit>
   void
@@ -140,7 +130,6 @@ private:
   std::vector<std::uint8_t> counts_;
   std::vector<Look> looks_;
   std::vector<std::uint32_t> seed_tiles_, tiles_, seen_, connected_;
-  std::vector<Part> parts_;
   Eigen::Vector3d reference_ = Eigen::Vector3d::Zero();
   Plane plane_;
   PlaneMoments sums_;
