@@ -104,12 +104,12 @@ TEST (NormalSpacePlanes, TakesTheNormalsOfOtherClasses)
   expectPlanes (scene, corner(), result, 0.1f, 0.001f, 0.02);
 }
 
-/** The largest plane of a table-top recording is the table of its hand-made labels. */
+/** The largest plane of a table-top recording is the table of its hand-made labels, with the ends
+ * that the camera bends. */
 TEST (NormalSpacePlanes, FindsTheTableOfRecordings)
 {
   SKIP_WITHOUT_RECORDINGS();
-  for (const std::string name :
-       {"learn0", "learn12", "learn20", "learn30", "learn40"}) {
+  for (const std::string name : {"learn0", "learn5", "learn12", "learn20", "learn30"}) {
     pcl::PointCloud<pcl::PointXYZL> labelled;
     ASSERT_EQ (pcl::io::loadPCDFile (
                    synthetic::dataFolder() + "/mosd_learn/" + name + ".pcd", labelled),
@@ -126,6 +126,6 @@ TEST (NormalSpacePlanes, FindsTheTableOfRecordings)
         both += is_table && is_found;
         either += is_table || is_found;
       }
-    EXPECT_GE (both / either, 0.95) << name;
+    EXPECT_GE (both / either, 0.988) << name;
   }
 }
