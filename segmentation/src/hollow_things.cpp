@@ -100,9 +100,9 @@ HollowThings::areWalls (Steps first, Steps last)
       sum += (support_->project (points_[i]) - place).norm();
       ++count;
     });
-    // A pixel of a top may be lost.
+    // In the mean, half a pixel of a top is lost.
     const Eigen::Map<const Eigen::Vector3f> ray (edge);
-    return sum / count + pixel_angle_ * ray.squaredNorm() /
+    return sum / count + 0.5f * pixel_angle_ * ray.squaredNorm() /
                              std::fabs (support_->plane.normal.dot (ray));
   };
   const auto areMostOf = [&] (std::size_t cluster) {

@@ -246,15 +246,18 @@ TEST (HollowThings, SolidThingsInARowAreSeveral)
       [] (Scene& scene, const Eigen::Affine3f& pose, const Look& look) {
         scene.addSphere (pose * Eigen::Vector3f (0.f, 0.f, 0.035f), 0.035f, look);
       };
-  const auto addBook =
-      [] (Scene& scene, const Eigen::Affine3f& pose, const Look& look) {
-        scene.addBox (pose, {0.03f, 0.15f, 0.15f}, look);
-      };
   for (const float gap : {0.03f, 0.05f, 0.08f}) {
     for (const auto& add : {+addBox, +addCan, +addBall})
       EXPECT_TRUE (find (rows (0.07f + gap, add)).areAllWhole()) << gap;
     EXPECT_EQ (find (rows (0.07f + gap, addCan)).objects.size(), 6u) << gap;
-    EXPECT_TRUE (find (rows (0.03f + gap, addBook)).areAllWhole()) << gap;
+    for (const float thickness : {0.022f, 0.03f}) {
+      const auto addBook =
+          [thickness] (Scene& scene, const Eigen::Affine3f& pose, const Look& look) {
+            scene.addBox (pose, {thickness, 0.15f, 0.15f}, look);
+          };
+      EXPECT_TRUE (find (rows (thickness + gap, addBook)).areAllWhole())
+          << thickness << ' ' << gap;
+    }
   }
 }
 
