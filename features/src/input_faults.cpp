@@ -12,10 +12,10 @@ namespace pcl {
 namespace rgbd_planes {
 
 bool
-isFault (const std::string& where, const std::string& fault)
+isFault (const char* where, const std::string& fault)
 {
   if (!fault.empty())
-    PCL_ERROR ("[pcl::%s] %s\n", where.c_str(), fault.c_str());
+    PCL_ERROR ("[pcl::%s] %s\n", where, fault.c_str());
   return !fault.empty();
 }
 

@@ -19,7 +19,7 @@ namespace rgbd_planes {
 /** \brief Whether there is a \a fault, which then is the error message of \a where: a class, or a
  * function of one. */
 PCL_RGBD_PLANES_EXPORTS bool
-isFault (const std::string& where, const std::string& fault);
+isFault (const char* where, const std::string& fault);
 
 /** \brief What to tell a user whose cloud of \a size points is not an image that holds all of
  * them; empty if it is. */
@@ -92,10 +92,10 @@ faultOfInput (const pcl::PointCloud<PointT>* cloud, const pcl::Indices* indices)
  */
 template <typename OtherT, typename PointT>
 std::string
-faultOfOthers (const std::string& what,
+faultOfOthers (const char* what,
                const pcl::PointCloud<OtherT>* others,
                const pcl::PointCloud<PointT>& cloud,
-               const std::string& advice)
+               const char* advice)
 {
   if (areOfPoints (others, cloud))
     return {};

@@ -65,7 +65,7 @@ NormalEstimationBase<PointInT, PointOutT>::initCompute()
     fault = faultOfOrigin (input_->sensor_origin_);
   if (fault.empty() && forIndices())
     fault = faultOfIndices (indices_.get(), input_->size());
-  if (isFault (feature_name_, fault))
+  if (isFault (feature_name_.c_str(), fault))
     return false;
   // Copies of an estimator share the indices that PCL makes up for whole clouds; they
   // would resize them under each other's feet.

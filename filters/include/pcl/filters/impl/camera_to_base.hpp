@@ -63,7 +63,7 @@ CameraToBase<PointT>::applyFilter (PointCloud& output)
   const bool for_indices = use_indices_ && !fake_indices_;
   const std::string fault = rgbd_planes::faultOfIndices (
       for_indices ? indices_.get() : nullptr, input_->size());
-  if (rgbd_planes::isFault (getClassName(), fault)) {
+  if (rgbd_planes::isFault (getClassName().c_str(), fault)) {
     output.clear();
     return;
   }

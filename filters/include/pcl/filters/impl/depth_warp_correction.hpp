@@ -45,7 +45,7 @@ DepthWarpCorrection<PointT>::addFrame (
           "Most points are nowhere near their planes: pass the planes of this cloud, "
           "in the frame of the camera.";
   }
-  return !rgbd_planes::isFault (getClassName() + "::addFrame", fault);
+  return !rgbd_planes::isFault ("DepthWarpCorrection::addFrame", fault);
 }
 
 template <typename PointT>
@@ -112,7 +112,7 @@ DepthWarpCorrection<PointT>::applyFilter (PointCloud& output)
         "There are no frames yet: pass their planes to addFrame, or a warp to setWarp.";
   if (fault.empty())
     fault = rgbd_planes::faultOfIndices (indices_.get(), input_->size());
-  if (rgbd_planes::isFault (getClassName(), fault)) {
+  if (rgbd_planes::isFault (getClassName().c_str(), fault)) {
     output.clear();
     return;
   }

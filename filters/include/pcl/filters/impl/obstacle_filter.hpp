@@ -31,7 +31,7 @@ ObstacleFilter<PointT>::applyFilter (Indices& indices)
         classes_.get(),
         *input_,
         "pass the classes of ObstacleDetection::detect for this cloud to setClasses.");
-  if (rgbd_planes::isFault (getClassName(), fault)) {
+  if (rgbd_planes::isFault (getClassName().c_str(), fault)) {
     if (extract_removed_indices_ && have_indices)
       *removed_indices_ = *indices_;
     else if (extract_removed_indices_) {

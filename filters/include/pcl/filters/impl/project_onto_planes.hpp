@@ -67,7 +67,7 @@ ProjectOntoPlanes<PointT>::assignPlanes()
     fault = rgbd_planes::faultOfOrigin (input_->sensor_origin_);
   if (fault.empty())
     fault = faultOfPlanes();
-  if (rgbd_planes::isFault (getClassName(), fault))
+  if (rgbd_planes::isFault (getClassName().c_str(), fault))
     return false;
   if (!labels_) {
     rgbd_planes::fillPlaneOf (inliers_, size, plane_of_);

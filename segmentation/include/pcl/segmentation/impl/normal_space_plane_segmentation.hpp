@@ -54,7 +54,8 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
         *input_,
         "compute a normal for each point of the whole cloud and pass them to "
         "setInputNormals.");
-  return !rgbd_planes::isFault (getClassName(), fault);
+  // Without one, the name takes no memory.
+  return fault.empty() || !rgbd_planes::isFault (getClassName().c_str(), fault);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

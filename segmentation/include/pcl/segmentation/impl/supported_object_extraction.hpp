@@ -81,8 +81,9 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     whole_things_ = rgbd_planes::WholeThings();
     boxes_ = rgbd_planes::ObjectBoxFinder();
   };
-  if (rgbd_planes::isFault (getClassName(),
-                            faultOf (model_coefficients, inlier_indices)))
+  const std::string fault = faultOf (model_coefficients, inlier_indices);
+  // Without one, the name takes no memory.
+  if (!fault.empty() && rgbd_planes::isFault (getClassName().c_str(), fault))
     return forget();
   try {
     findObjects (model_coefficients, inlier_indices, objects);
