@@ -128,6 +128,13 @@ public:
     return runs_;
   }
 
+  /** \brief The noise of the frame, up to the range beyond which depth tells nothing. */
+  const DepthNoise&
+  noise () const
+  {
+    return parameters_.noise;
+  }
+
   const PlaneRejections&
   rejections () const
   {
