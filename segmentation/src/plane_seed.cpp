@@ -157,6 +157,9 @@ PlaneGrowth::keepLevel (const PlaneSamples& samples, const PlaneMoments& seed)
     else
       claimed_[i] = 0.f;
   });
+  const auto isEmpty = [this] (std::uint32_t tile) { return claimsIn (tile) == 0; };
+  seed_tiles_.erase (std::remove_if (seed_tiles_.begin(), seed_tiles_.end(), isEmpty),
+                     seed_tiles_.end());
   return sumSeed (samples, number);
 }
 
