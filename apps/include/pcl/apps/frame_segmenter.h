@@ -58,9 +58,9 @@ unsigned
 minInliers (const SegmenterOptions& options, std::size_t pixels);
 
 /** \brief The kind of a plane with a \a normal towards the camera and points around \a centroid,
- * both in the camera frame: floor (level, and at z = 0 in the mean, as ObstacleDetection may take it), table (what else
- * SupportedObjectExtraction takes for level), ceiling, wall or slope; "unknown" without a
- * transform. */
+ * both in the camera frame: floor (level, and at z = 0 in the mean, as ObstacleDetection may take
+ * it), table (what else SupportedObjectExtraction takes for level), ceiling, wall or slope;
+ * "unknown" without a transform. */
 std::string
 planeClass (const Eigen::Vector3d& normal,
             const Eigen::Vector3d& centroid,

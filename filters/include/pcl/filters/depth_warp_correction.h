@@ -75,8 +75,8 @@ public:
 
   /** \brief Adds what the planes of a frame tell; false after an error message where there is no
    * cloud, it is no image of the size of the frames before, its \c sensor_origin_ is not 0, or
-   * the planes are not those of the cloud. A frame without planes, or that shows the same as the one before,
-   * adds nothing, and is taken; then what setWarp() set stays.
+   * the planes are not those of the cloud. A frame without planes, or that shows
+   * the same as the one before, adds nothing, and is taken; then what setWarp() set stays.
    * \param[in] cloud as measured, in the camera frame, z forward
    * \param[in] model_coefficients a, b, c, d with a x + b y + c z + d = 0
    * \param[in] inlier_indices the points of each plane
