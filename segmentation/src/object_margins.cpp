@@ -66,7 +66,6 @@ ObjectClusters::countLeak (std::uint32_t i,
                            const LinkLimit& limit,
                            Sums& sums) const
 {
-  const SupportSurface& support = supports_->planes()[sums.support];
   bool leaks = false, is_at_background = false;
   const auto lookAt = [&] (std::ptrdiff_t step) {
     const std::uint32_t j = nextPixel (points_, i, step);
