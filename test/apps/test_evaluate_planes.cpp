@@ -77,8 +77,9 @@ TEST_F (EvaluatePlanes, RoundThingsOnAFloorAreNoPlanes)
   ASSERT_EQ (run ("sim:floor_obstacles:1 sim:floor_obstacles:4 --json table.json").code,
              0);
   for (const json& row : results())
-    if (row["method"] == "normal_space")
+    if (row["method"] == "normal_space") {
       EXPECT_EQ (row["curved_shattered_percent"], 0.) << row["resolution"];
+    }
 }
 
 // The planes of the frame itself tell the warp of its camera, those of several frames of
