@@ -171,16 +171,6 @@ TEST (PlaneInputs, PointsBeyondTheRangeOfTheSensorAreToldOnceInARow)
   }
 }
 
-TEST (PlaneInputs, PointsWithNothingButNoiseAreTold)
-{
-  Ours segmentation;
-  Result result;
-  testing::internal::CaptureStderr();
-  segment (segmentation, render ({tiltedPlane (60.f, 0.f, 0.f)}).cloud, result);
-  EXPECT_NE (testing::internal::GetCapturedStderr().find ("beyond 50 m"),
-             std::string::npos);
-}
-
 TEST (PlaneInputs, NormalsMayFaceAway)
 {
   const Scene scene = render (corner(), 320, 240, kinectSigma);

@@ -114,7 +114,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::warnOfInput()
         "[pcl::%s] There are no planes, for no normal has a length of 1: give unit "
         "normals to setInputNormals, NaN where there is none.\n",
         getClassName().c_str());
-  const float max_range = plane_extraction_.noise().max_range;
+  const float max_range = parameters_.noise.max_range;
   const bool are_far = areAllFarther (farther_than_any_room);
   const bool are_beyond = are_none && !are_far && areAllFarther (max_range);
   if (rgbd_planes::isFirstInARow (are_far, is_warned_of_units_))

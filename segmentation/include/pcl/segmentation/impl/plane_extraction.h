@@ -128,13 +128,6 @@ public:
     return runs_;
   }
 
-  /** \brief The noise of the frame, up to the range beyond which depth tells nothing. */
-  const DepthNoise&
-  noise () const
-  {
-    return parameters_.noise;
-  }
-
   const PlaneRejections&
   rejections () const
   {
