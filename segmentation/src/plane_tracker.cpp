@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
-#include <pcl/console/print.h>
+#include <pcl/features/impl/input_faults.h>
 #include <pcl/segmentation/plane_tracker.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pcl {
 
@@ -44,6 +45,24 @@ similarity (float turn, float shift, float half)
          std::max (0.f, 1.f - shift / max_shift) / (1.f + ratio * ratio);
 }
 
+std::string
+faultOf (const std::vector<ModelCoefficients>& model_coefficients,
+         const PointCloud<Label>& labels)
+{
+  const char* advice = " of segment (models, inliers, labels).";
+  if (!model_coefficients.empty() && labels.empty())
+    return std::string ("The planes have no labels: pass those") + advice;
+  if (labels.size() != static_cast<std::size_t> (labels.width) * labels.height)
+    return std::to_string (labels.size()) + " labels are no image of " +
+           std::to_string (labels.width) + " x " + std::to_string (labels.height) +
+           " pixels: pass those" + advice;
+  for (const auto& model : model_coefficients)
+    if (model.values.size() != 4)
+      return "A plane has " + std::to_string (model.values.size()) +
+             " coefficients, not 4: pass the planes" + advice;
+  return {};
+}
+
 } // namespace
 
 void
@@ -53,7 +72,9 @@ PlaneTracker::track (const std::vector<ModelCoefficients>& model_coefficients,
 {
   ids.clear();
   // A frame that could not be segmented has no labels: all is as before it.
-  if (!checkInput (model_coefficients, labels) || labels.empty())
+  const bool is_fault = rgbd_planes::isFault ("PlaneTracker::track",
+                                              faultOf (model_coefficients, labels));
+  if (is_fault || labels.empty())
     return;
   planes_.clear();
   for (const auto& model : model_coefficients) {
@@ -67,34 +88,6 @@ PlaneTracker::track (const std::vector<ModelCoefficients>& model_coefficients,
   remember (labels);
   for (const auto track : track_of_plane_)
     ids.push_back (tracks_[track].id);
-}
-
-bool
-PlaneTracker::checkInput (const std::vector<ModelCoefficients>& model_coefficients,
-                          const PointCloud<Label>& labels) const
-{
-  if (!model_coefficients.empty() && labels.empty()) {
-    PCL_ERROR ("[pcl::PlaneTracker::track] The planes have no labels: pass those of "
-               "segment (models, inliers, labels).\n");
-    return false;
-  }
-  if (labels.size() != static_cast<std::size_t> (labels.width) * labels.height) {
-    PCL_ERROR (
-        "[pcl::PlaneTracker::track] %zu labels are no image of %u x %u pixels: pass "
-        "those of segment (models, inliers, labels).\n",
-        labels.size(),
-        labels.width,
-        labels.height);
-    return false;
-  }
-  for (const auto& model : model_coefficients)
-    if (model.values.size() != 4) {
-      PCL_ERROR ("[pcl::PlaneTracker::track] A plane has %zu coefficients, not 4: pass "
-                 "the planes of segment (models, inliers, labels).\n",
-                 model.values.size());
-      return false;
-    }
-  return true;
 }
 
 void

@@ -89,10 +89,6 @@ private:
     float turn = 0.f, shift = 0.f;
   };
 
-  bool
-  checkInput (const std::vector<ModelCoefficients>& model_coefficients,
-              const PointCloud<Label>& labels) const;
-
   /** \brief Scales pixels_ to the size of a frame. */
   void
   fit (std::uint32_t width, std::uint32_t height);

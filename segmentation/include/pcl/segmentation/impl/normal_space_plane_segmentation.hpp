@@ -54,8 +54,7 @@ NormalSpacePlaneSegmentation<PointT, PointNT, PointLT>::checkInput() const
         *input_,
         "compute a normal for each point of the whole cloud and pass them to "
         "setInputNormals.");
-  // Without one, the name takes no memory.
-  return fault.empty() || !rgbd_planes::isFault (getClassName().c_str(), fault);
+  return !rgbd_planes::isFault ("NormalSpacePlaneSegmentation", fault);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -85,8 +85,7 @@ ObstacleDetection<PointT, PointNT, PointLT>::checkInput() const
             " normals and " + rgbd_planes::numberOfPoints (labels_.get()) +
             " labels: pass a normal and a label for each point of the whole cloud to "
             "setInputNormals and setInputPlanes.";
-  // Without one, the name takes no memory.
-  return fault.empty() || !rgbd_planes::isFault (getClassName().c_str(), fault);
+  return !rgbd_planes::isFault ("ObstacleDetection", fault);
 }
 
 template <typename PointT, typename PointNT, typename PointLT>

@@ -81,9 +81,8 @@ SupportedObjectExtraction<PointT, PointNT>::extract (
     whole_things_ = rgbd_planes::WholeThings();
     boxes_ = rgbd_planes::ObjectBoxFinder();
   };
-  const std::string fault = faultOf (model_coefficients, inlier_indices);
-  // Without one, the name takes no memory.
-  if (!fault.empty() && rgbd_planes::isFault (getClassName().c_str(), fault))
+  if (rgbd_planes::isFault ("SupportedObjectExtraction",
+                            faultOf (model_coefficients, inlier_indices)))
     return forget();
   try {
     findObjects (model_coefficients, inlier_indices, objects);
