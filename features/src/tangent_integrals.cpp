@@ -95,7 +95,7 @@ lastLane (I v)
 /** Continues the integral images of three channels. */
 HWY_INLINE void
 addUpChannels (std::size_t first,
-               SumRow sums,
+               CellTangentRow tangents,
                std::size_t cells,
                std::size_t margin,
                TangentRow above,
@@ -106,9 +106,9 @@ addUpChannels (std::size_t first,
   const I zero = hn::Zero (d);
   Channels carry{{zero, zero, zero}}, v = carry;
   for (std::size_t i = 0; i < cells; i += hn::Lanes (d)) {
-    const V scale = load (sums[sum_scale] + i);
+    const V scale = load (tangents[tangent_scale] + i);
     for (std::size_t c = 0; c < number; ++c)
-      v[c] = nearestProduct (load (sums[first + c] + i), scale);
+      v[c] = nearestProduct (load (tangents[first + c] + i), scale);
     prefixSums (v);
     for (std::size_t c = 0; c < number; ++c) {
       hn::StoreU (
@@ -128,14 +128,14 @@ addUpChannels (std::size_t first,
 } // namespace
 
 void
-addUpHere (const SumRow& sums,
+addUpHere (const CellTangentRow& tangents,
            std::size_t cells,
            std::size_t margin,
            const TangentRow& above,
            const TangentRow& integral)
 {
   for (const std::size_t first : {0, 3})
-    addUpChannels (first, sums, cells, margin, above, integral);
+    addUpChannels (first, tangents, cells, margin, above, integral);
 }
 
 void
@@ -169,13 +169,13 @@ HWY_EXPORT (addUpHere);
 HWY_EXPORT (sumColumnsHere);
 
 void
-addUp (const SumRow& sums,
+addUp (const CellTangentRow& tangents,
        std::size_t cells,
        std::size_t margin,
        const TangentRow& above,
        const TangentRow& integral)
 {
-  HWY_DYNAMIC_DISPATCH (addUpHere) (sums, cells, margin, above, integral);
+  HWY_DYNAMIC_DISPATCH (addUpHere) (tangents, cells, margin, above, integral);
 }
 
 void

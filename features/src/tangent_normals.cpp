@@ -11,8 +11,8 @@ namespace rgbd_planes {
 
 namespace {
 
-/** Images whose longer side has so many pixels and more are computed on cells of 2 x 2
- * pixels: their smoothing areas are so large that it makes no difference but in time. */
+/** Images whose longer side has so many pixels and more are computed on the means of 2 x 2
+ * pixels: their smoothing areas are so large that nothing is lost. */
 constexpr int min_side_of_cells = 480;
 /** An area is so many times as large as the one before. With depth-dependent smoothing, its
  * size grows with the square root of the range. */

@@ -72,7 +72,8 @@ TangentRowPipeline::start (const OrganizedPoints& points,
   // So that deviations of depth, and their reciprocals, are floats at any range.
   sensor_.noise.constant = std::clamp (parameters.noise.constant, 1e-30f, 1e30f);
   sensor_.noise.quadratic = std::min (parameters.noise.quadratic, 1e6f);
-  sensor_.max_depth_change_factor = parameters.max_depth_change_factor;
+  sensor_.max_depth_change_factor =
+      static_cast<float> (grid.step) * parameters.max_depth_change_factor;
   begin_ = begin;
   padded_width_ = RowRing<float>::roundUp (grid_.width);
   const auto largest = grid_.areas[grid_.number_of_areas - 1];
@@ -88,18 +89,14 @@ TangentRowPipeline::start (const OrganizedPoints& points,
        rowsAround()}};
   const int ahead = rows_around[0] + rows_around[1] + largest.half_height;
   margin_ = RowRing<float>::roundUp (largest.half_width + 1);
-  staged_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
-  pixels_.reset (grid_.step == 1 ? ahead + 4 : 5,
-                 grid_.step * pixel_channels,
-                 padded_width_,
-                 2,
-                 infinity);
-  no_pixels_.reset (1, grid_.step * pixel_channels, padded_width_, 2, infinity);
+  staged_points_.reset (2, 1, 4 * grid_.step * padded_width_, 0, nan);
+  no_points_.reset (1, 1, 4 * grid_.step * padded_width_, 0, nan);
+  cells_.reset (ahead + 4, cell_channels, padded_width_, 3, infinity);
+  no_cells_.reset (1, cell_channels, padded_width_, 3, infinity);
   tangents_.reset (
       2 * largest.half_height + 2, tangent_channels, padded_width_, margin_, 0);
-  sums_.reset (1, sum_channels, padded_width_, 0, 0.f);
+  cell_tangents_.reset (1, cell_tangent_channels, padded_width_, 0, 0.f);
   columns_.reset (2, tangent_channels, padded_width_, margin_, 0);
-  cells_.reset (ahead + 2, cell_channels, padded_width_, 0, 0.f);
   for (std::size_t stage = 0; stage < planes_.size(); ++stage)
     planes_[stage].reset (
         2 * rows_around[stage] + 1, plane_channels, padded_width_, shift_u, 0.f);
@@ -114,15 +111,17 @@ TangentRowPipeline::start (const OrganizedPoints& points,
                    std::max (before_first, 0),
                    std::max (before_second, 0)}};
   next_sum_ = std::max (next_planes_[0] - largest.half_height, 0);
-  next_pixels_ = next_sum_ * grid_.step;
+  next_cells_ = next_sum_;
   tangents_.fill (next_sum_, 0);
 }
 
 /** The points of a row of pixels, four floats each, and points that are missing up to
- * whole vectors of cells. */
+ * whole vectors of cells; those of two rows in a row stay. */
 const float*
 TangentRowPipeline::pointsOf (int v)
 {
+  if (v >= points_.height)
+    return no_points_[0][0];
   const float* row =
       points_[static_cast<std::size_t> (v) * static_cast<std::size_t> (points_.width)];
   const bool in_place = points_.stride == 4 &&
@@ -130,7 +129,7 @@ TangentRowPipeline::pointsOf (int v)
                         points_.width == padded_width_ * grid_.step;
   if (in_place)
     return row;
-  float* staged = staged_points_[0][0];
+  float* staged = staged_points_[v][0];
   for (int u = 0; u < points_.width; ++u)
     std::memcpy (staged + 4 * u,
                  row + static_cast<std::size_t> (u) * points_.stride,
@@ -145,22 +144,24 @@ TangentRowPipeline::sumUpTo (int last)
   const auto cells = static_cast<std::size_t> (padded_width_);
   for (const int end = std::min (last + 1, grid_.height); next_sum_ < end;
        ++next_sum_) {
-    const int v = next_sum_ * grid_.step;
-    const int last_pixels = v + grid_.step + 2;
-    for (; next_pixels_ <= std::min (last_pixels, points_.height - 1); ++next_pixels_)
-      loadPixels (
-          pointsOf (next_pixels_), cells, grid_.step, sensor_, pixels_[next_pixels_]);
-    const auto pixelRow = [&] (int row) {
-      return row < points_.height ? pixels_[row] : no_pixels_[0];
+    for (; next_cells_ <= std::min (next_sum_ + 3, grid_.height - 1); ++next_cells_) {
+      const int v = next_cells_ * grid_.step;
+      loadCells ({{pointsOf (v), grid_.step == 2 ? pointsOf (v + 1) : nullptr}},
+                 cells,
+                 grid_.step,
+                 sensor_,
+                 cells_[next_cells_]);
+    }
+    const auto row = [&] (int y) {
+      return y < grid_.height ? cells_[y] : no_cells_[0];
     };
-    const std::array<PixelRow, 5> rows{{pixelRow (v),
-                                        pixelRow (v + 1),
-                                        pixelRow (v + 2),
-                                        pixelRow (v + 3),
-                                        pixelRow (v + 4)}};
-    sumTangents (
-        rows.data(), cells, grid_.step, sensor_, units_, sums_[0], cells_[next_sum_]);
-    addUp (sums_[0],
+    const int y = next_sum_;
+    computeTangents ({{row (y), row (y + 1), row (y + 2), row (y + 3)}},
+                     cells,
+                     sensor_,
+                     units_,
+                     cell_tangents_[0]);
+    addUp (cell_tangents_[0],
            cells,
            static_cast<std::size_t> (margin_),
            tangents_[next_sum_],
@@ -185,11 +186,11 @@ TangentRowPipeline::fitRow (int y)
     const WindowColumns columns{columns_[0], columns_[1]};
     const PlaneRow fitted = i == 0 ? planes : larger_[0];
     sumColumns (window, cells + static_cast<std::size_t> (margin_), columns);
-    fitPlanes (columns, area.half_width, cells, cellsOf (y), fitted);
+    fitPlanes (columns, area.half_width, cells, cells_[y], fitted);
     if (i > 0)
       chooseLarger (parameters_->scale_selection ? 0.f : area.min_range,
                     cells,
-                    cellsOf (y),
+                    cells_[y],
                     fitted,
                     planes);
   }
@@ -217,7 +218,7 @@ TangentRowPipeline::averageRow (int stage, int y)
           : Candidates<5>{{own, above, own.shifted (-du), own.shifted (du), below}};
   averagePlanes (around,
                  static_cast<std::size_t> (padded_width_),
-                 cellsOf (y),
+                 cells_[y],
                  planes_[static_cast<std::size_t> (stage)][y]);
 }
 
@@ -231,13 +232,6 @@ TangentRowPipeline::planesUpTo (int stage, int last)
       fitRow (next);
     else
       averageRow (stage, next);
-}
-
-/** Row \a y of the cells, which may be pixels. */
-ChannelRow<float>
-TangentRowPipeline::cellsOf (int y)
-{
-  return grid_.step == 1 ? pixels_[y] : cells_[y];
 }
 
 /** The planes of row \a y of cells, or none outside of the image. */

@@ -19,13 +19,9 @@ namespace rgbd_planes {
 // relative to the sensor. Loops take the rows that they write by value: a compiler cannot tell
 // that what they write is not the row itself, and would load it again and again.
 
-/** The channels of a row of cells: one of its points, the reciprocal of the distance
- * from it at which planes no longer count (0: the cell has no point). */
-enum CellChannel { cell_x, cell_y, cell_z, cell_reach, cell_channels };
-
-/** The channels of a row of pixels, five for each pixel of a cell: those of a cell, and the
- * range (infinite where the point is missing). */
-enum PixelChannel { pixel_range = cell_channels, pixel_channels };
+/** The channels of a row of cells: the point, the reciprocal of the distance from it at which
+ * planes no longer count (0: the cell has no point), the range (infinite without a point). */
+enum CellChannel { cell_x, cell_y, cell_z, cell_reach, cell_range, cell_channels };
 
 /** The channels of the planes of a row of cells: n * p = distance, and how much a plane
  * counts, from its window's bend; all are 0 where there is none. */
@@ -38,17 +34,16 @@ enum PlaneChannel {
   plane_channels
 };
 
-/** The sums of horizontal and of vertical tangents. */
+/** Horizontal and vertical tangents, or sums of them. */
 constexpr int tangent_channels = 6;
 
-/** The same of the cells of one row, and what makes a number of units of them. */
-enum SumChannel { sum_scale = tangent_channels, sum_channels };
+/** The tangents of a row of cells, and what makes a number of units of them. */
+enum CellTangentChannel { tangent_scale = tangent_channels, cell_tangent_channels };
 
 /** A cell counts up to so many units. */
 constexpr float max_units = 1 << 22;
 
-using PixelRow = ChannelRow<float>;
-using SumRow = ChannelRow<float>;
+using CellTangentRow = ChannelRow<float>;
 using CellRow = ChannelRow<float>;
 using PlaneRow = ChannelRow<float>;
 using TangentRow = ChannelRow<std::int32_t>;
@@ -75,30 +70,29 @@ struct WindowColumns {
 template <std::size_t number>
 using Candidates = std::array<PlaneRow, number>;
 
-/** \brief Reads a row of \a cells * step points of four floats each. */
+/** \brief Reads a row of cells from one row of points, of four floats each, or from two, if
+ * \a step is 2. */
 void
-loadPixels (const float* points,
-            std::size_t cells,
-            int step,
-            const SensorModel& sensor,
-            const PixelRow& pixels);
+loadCells (const std::array<const float*, 2>& points,
+           std::size_t cells,
+           int step,
+           const SensorModel& sensor,
+           const CellRow& row);
 
-/** \brief Sums the tangents of each cell, and chooses the point of each cell of several
- * pixels. \a pixels: the rows of the cells and the next three. The sums of a cell are
- * relative to its range, or to the longer of them if that is more, and counted in units of
- * 1 / \a units, which must not be more than max_units. */
+/** \brief The tangents from each cell to the next one and to the one below. \a rows: that of
+ * the cells and the next three. Tangents are relative to the range of the cell, or to the
+ * longer of them if that is more, and counted in units of 1 / \a units, which must not be more
+ * than max_units. */
 void
-sumTangents (const PixelRow* pixels,
-             std::size_t cells,
-             int step,
-             const SensorModel& sensor,
-             float units,
-             const SumRow& sums,
-             const CellRow& points);
+computeTangents (const std::array<CellRow, 4>& rows,
+                 std::size_t cells,
+                 const SensorModel& sensor,
+                 float units,
+                 const CellTangentRow& tangents);
 
 /** \brief Continues the integral images by one row, and by \a margin elements behind it. */
 void
-addUp (const SumRow& sums,
+addUp (const CellTangentRow& tangents,
        std::size_t cells,
        std::size_t margin,
        const TangentRow& above,

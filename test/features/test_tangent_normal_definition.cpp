@@ -11,12 +11,13 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 using namespace tangent_images;
 
 namespace {
 
-/** Section 3 of the paper with tangents between neighbouring pixels, straight from the
+/** Section 3 of the paper with tangents between neighbouring cells, straight from the
  * definition, in double: no integral images, no vectors, no rounding. */
 class BruteForce {
 public:
@@ -27,7 +28,11 @@ public:
   , half_height_ (half_height)
   , cells_u_ ((image.width + step - 1) / step)
   , cells_v_ ((image.height + step - 1) / step)
-  {}
+  {
+    for (int y = 0; y < cells_v_; ++y)
+      for (int x = 0; x < cells_u_; ++x)
+        cells_.push_back (makeCell (x, y));
+  }
 
   /** The normal of a pixel; NaN if there is none. */
   Eigen::Vector3d
@@ -45,10 +50,15 @@ public:
     const Eigen::Vector3d n = horizontal.cross (vertical);
     if (n.norm() <= 1e-4 * horizontal.norm() * vertical.norm())
       return none;
-    return n.dot (cellPoint (x, y)) > 0. ? (-n).normalized() : n.normalized();
+    return n.dot (cell (x, y).point) > 0. ? (-n).normalized() : n.normalized();
   }
 
 private:
+  struct Cell {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    double range = std::numeric_limits<double>::infinity();
+  };
+
   bool
   measured (int u, int v) const
   {
@@ -56,97 +66,87 @@ private:
            !image_ (u, v).isZero (0.f);
   }
 
-  Eigen::Vector3d
-  point (int u, int v) const
+  static double
+  gate (double range)
   {
-    return image_ (u, v).cast<double>();
+    return 3.5 * (0.001 + 0.002 * range * range);
   }
 
-  /** The first point of the cell row by row; zero if all are missing. */
-  Eigen::Vector3d
-  cellPoint (int x, int y) const
+  /** The mean of the pixels that are no further behind the nearest one than noise explains. */
+  Cell
+  makeCell (int x, int y) const
   {
+    std::vector<Eigen::Vector3d> points;
     for (int k = 0; k < step_ * step_; ++k)
       if (measured (x * step_ + k % step_, y * step_ + k / step_))
-        return point (x * step_ + k % step_, y * step_ + k / step_);
-    return Eigen::Vector3d::Zero();
+        points.push_back (
+            image_ (x * step_ + k % step_, y * step_ + k / step_).cast<double>());
+    Cell nearest, sum{Eigen::Vector3d::Zero(), 0.};
+    for (const auto& point : points)
+      nearest.range = std::min (nearest.range, point.norm());
+    double number = 0.;
+    for (const auto& point : points)
+      if (point.norm() - nearest.range < gate (nearest.range)) {
+        sum.point += point;
+        sum.range += point.norm();
+        ++number;
+      }
+    return number > 0. ? Cell{sum.point / number, sum.range / number} : nearest;
   }
 
-  double
-  range (int u, int v) const
+  Cell
+  cell (int x, int y) const
   {
-    return measured (u, v) ? point (u, v).norm()
-                           : std::numeric_limits<double>::infinity();
+    return x < cells_u_ && y < cells_v_
+               ? cells_[static_cast<std::size_t> (y * cells_u_ + x)]
+               : Cell();
   }
 
-  /** By how much more or less the range changes from the second to the third of four pixels than
-   * before or behind. Of a cell of four: by how much more it changes from a pixel to its neighbour
-   * than two pixels further on, in the mean of both rows or columns of the cell. */
+  /** By how much more or less the range changes from the first to the second of four cells than
+   * between the next ones. */
   double
-  stepBetween (int u, int v, int du, int dv) const
+  stepBetween (int x, int y, int dx, int dy) const
   {
     const auto change = [&] (int k) {
-      return range (u + (k + 1) * du, v + (k + 1) * dv) -
-             range (u + k * du, v + k * dv);
+      return cell (x + (k + 1) * dx, y + (k + 1) * dy).range -
+             cell (x + k * dx, y + k * dy).range;
     };
-    if (step_ == 1)
-      return std::max (std::abs (change (1) - change (0)),
-                       std::abs (change (1) - change (2)));
-    double sum = 0.;
-    for (const int line : {0, 1}) {
-      const int x = du == 1 ? u : u / 2 * 2 + line, y = dv == 1 ? v : v / 2 * 2 + line;
-      sum += range (x + du, y + dv) - range (x, y) -
-             (range (x + 3 * du, y + 3 * dv) - range (x + 2 * du, y + 2 * dv));
-    }
-    return std::abs (sum) / 2.;
+    return std::max (std::abs (change (1) - change (0)),
+                     std::abs (change (1) - change (2)));
   }
 
-  /** Of the pixel, or of the cell of four. */
-  double
-  nearest (int u, int v) const
-  {
-    if (step_ == 1)
-      return range (u, v);
-    const int x = u / 2 * 2, y = v / 2 * 2;
-    return std::min (
-        {range (x, y), range (x + 1, y), range (x, y + 1), range (x + 1, y + 1)});
-  }
-
-  /** From a pixel to its neighbour, if both see the same surface. */
+  /** From a cell to its neighbour, if both see the same surface. */
   Eigen::Vector3d
-  tangent (int u, int v, int du, int dv) const
+  tangent (int x, int y, int dx, int dy) const
   {
-    if (!measured (u, v) || !measured (u + du, v + dv))
+    const Cell from = cell (x, y), to = cell (x + dx, y + dy);
+    if (std::isinf (from.range) || std::isinf (to.range))
       return Eigen::Vector3d::Zero();
-    const Eigen::Vector3d d = point (u + du, v + dv) - point (u, v);
-    const double from = range (u, v), change = range (u + du, v + dv) - from;
-    const double near = nearest (u, v);
-    const double gate = 3.5 * (0.001 + 0.002 * near * near), slope = 4. * 4.;
+    const Eigen::Vector3d d = to.point - from.point;
+    const double change = to.range - from.range;
+    const double noise = gate (from.range), slope = 4. * 4.;
     const bool is_one =
-        (stepBetween (u, v, du, dv) <= gate ||
-         (1. + slope) * change * change <= gate * gate + slope * d.squaredNorm()) &&
-        std::abs (change) <= 2. * 0.02 * (from + 1.);
+        (stepBetween (x, y, dx, dy) <= noise ||
+         (1. + slope) * change * change <= noise * noise + slope * d.squaredNorm()) &&
+        std::abs (change) <= 2. * step_ * 0.02 * (from.range + 1.);
     return is_one ? d : Eigen::Vector3d::Zero();
   }
 
-  /** Over the pixels of cells, where each cell is divided by the range of its point. */
+  /** Each tangent is divided by the range of its cell. */
   Eigen::Vector3d
-  sum (int left, int right, int top, int bottom, int du) const
+  sum (int left, int right, int top, int bottom, int dx) const
   {
     Eigen::Vector3d all = Eigen::Vector3d::Zero();
     for (int y = std::max (top, 0); y <= std::min (bottom, cells_v_ - 1); ++y)
       for (int x = std::max (left, 0); x <= std::min (right, cells_u_ - 1); ++x)
-        for (int k = 0; k < step_ * step_; ++k) {
-          const Eigen::Vector3d d =
-              tangent (x * step_ + k % step_, y * step_ + k / step_, du, 1 - du);
-          if (!d.isZero (0.))
-            all += d / cellPoint (x, y).norm();
-        }
+        if (const Eigen::Vector3d d = tangent (x, y, dx, 1 - dx); !d.isZero (0.))
+          all += d / cell (x, y).range;
     return all;
   }
 
   const Image& image_;
   int step_, half_width_, half_height_, cells_u_, cells_v_;
+  std::vector<Cell> cells_;
 };
 
 /** How many points have a normal. */

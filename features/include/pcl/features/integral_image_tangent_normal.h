@@ -23,11 +23,12 @@ namespace pcl {
  * form a checkerboard, no point has a valid neighbour along one axis. Time is linear in the
  * number of points, and a third longer for smoothing areas of 64 pixels than for those of 8.
  *
+ * -# Images whose longer side has 480 pixels and more are divided into cells of 2 x 2
+ *    pixels. The mean of those on the surface of the nearest one takes their place, and has
+ *    less noise.
  * -# Tangents are the differences between neighbouring points to the left and right, and
  *    above and below, where both lie on one surface: by a model of the noise of depth;
- *    slanted surfaces are told from steps by the pixels further on. Images whose longer
- *    side has 480 pixels and more are divided into cells of 2 x 2 pixels, whose means do
- *    so also in more noise.
+ *    slanted surfaces are told from steps by the points further on.
  * -# Six integral images of fixed-point numbers, whose differences are exact, give the sums
  *    of tangents over the smoothing area around each cell, their cross product gives its
  *    plane, and the sums
@@ -167,7 +168,8 @@ public:
   }
 
   /** \brief Neighbouring pixels whose ranges differ by more than
-   * 2 * factor * (range + 1 m) lie on different surfaces, as in PCL; default 0.02. They
+   * 2 * factor * (range + 1 m) lie on different surfaces, as in PCL; default 0.02. Cells of 2 x 2
+   * pixels may differ by twice as much. They
    * also do if the difference is neither noise nor the slant of the surface. Beyond 5 m, the
    * noise of a Kinect v1 is more than the default allows: with 0.2, errors of slanted walls
    * at 6 m are a fifth smaller, and half as large at 8 m.

@@ -96,9 +96,6 @@ private:
   ChannelRow<float>
   planesOf (int stage, int y);
 
-  ChannelRow<float>
-  cellsOf (int y);
-
   std::size_t
   write (int v, const NormalOutput& output);
 
@@ -123,17 +120,17 @@ private:
   int padded_width_ = 0;
   int margin_ = 0;
   float units_ = 0.f;
-  int next_pixels_ = 0;
+  int next_cells_ = 0;
   int next_sum_ = 0;
   std::array<int, plane_stages> next_planes_{};
 
   RowRing<float> staged_points_;
-  RowRing<float> pixels_;
-  RowRing<float> no_pixels_;
-  RowRing<float> sums_;
+  RowRing<float> no_points_;
+  RowRing<float> cells_;
+  RowRing<float> no_cells_;
+  RowRing<float> cell_tangents_;
   RowRing<std::int32_t> tangents_;
   RowRing<std::int32_t> columns_;
-  RowRing<float> cells_;
   std::array<RowRing<float>, plane_stages> planes_;
   RowRing<float> no_planes_;
   RowRing<float> larger_;
