@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "each_bit.h"
 #include "plane_levels.h"
 
 #include <pcl/segmentation/impl/bent_ends.h>
@@ -58,6 +59,7 @@ partBeside (const PlaneSamples& samples,
 void
 BentEnds::find (const PlaneSamples& samples,
                 const std::vector<std::int32_t>& owners,
+                const std::vector<TilePart>& tile_parts,
                 const std::vector<PlaneMoments>& parts)
 {
   std::size_t most = 0;
@@ -66,7 +68,7 @@ BentEnds::find (const PlaneSamples& samples,
   is_small_.resize (parts.size());
   for (std::size_t k = 0; k < parts.size(); ++k)
     is_small_[k] = min_ratio * parts[k].points <= most;
-  lookAround (samples, owners, parts);
+  lookAround (samples, owners, tile_parts, parts);
   planes_.clear();
   plane_of_part_.assign (parts.size(), none);
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -83,31 +85,16 @@ BentEnds::find (const PlaneSamples& samples,
 void
 BentEnds::lookAround (const PlaneSamples& samples,
                       const std::vector<std::int32_t>& owners,
+                      const std::vector<TilePart>& tile_parts,
                       const std::vector<PlaneMoments>& parts)
 {
   around_.assign (parts.size(), Surroundings());
   meetings_.clear();
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    if (owners[i] < 0 || !is_small_[static_cast<std::size_t> (owners[i])])
-      continue;
-    Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
-    const auto [u, v] = samples.placeOf (i);
-    for (const auto& step : directions) {
-      const std::int32_t beside = partBeside (samples, owners, u, v, step);
-      if (beside == owners[i])
-        continue;
-      ++around.all;
-      around.outside += beside == outside;
-      if (beside < 0)
-        continue;
-      ++around.of_planes;
-      meetings_.push_back ({i, beside});
-      // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
-      if (around.votes == 0)
-        around.plane = beside;
-      around.votes += beside == around.plane ? 1 : -1;
-    }
-  }
+  for (const TilePart& part : tile_parts)
+    if (is_small_[part.plane])
+      forEachBit (part.own, [&] (std::size_t bit) {
+        lookBeside (samples, owners, part.tile * PlaneSamples::tile_size + bit);
+      });
   for (Surroundings& around : around_)
     if (around.plane != none)
       around.inverse_distance =
@@ -120,6 +107,30 @@ BentEnds::lookAround (const PlaneSamples& samples,
     const double error = 1. - around.inverse_distance.dot (p.cast<double>());
     around.squared_errors += error * error * static_cast<double> (samples.weight[i]);
     ++around.of_plane;
+  }
+}
+
+void
+BentEnds::lookBeside (const PlaneSamples& samples,
+                      const std::vector<std::int32_t>& owners,
+                      std::size_t i)
+{
+  Surroundings& around = around_[static_cast<std::size_t> (owners[i])];
+  const auto [u, v] = samples.placeOf (i);
+  for (const auto& step : directions) {
+    const std::int32_t beside = partBeside (samples, owners, u, v, step);
+    if (beside == owners[i])
+      continue;
+    ++around.all;
+    around.outside += beside == outside;
+    if (beside < 0)
+      continue;
+    ++around.of_planes;
+    meetings_.push_back ({i, beside});
+    // The vote of a majority (R. S. Boyer, J. S. Moore, MJRTY, 1991).
+    if (around.votes == 0)
+      around.plane = beside;
+    around.votes += beside == around.plane ? 1 : -1;
   }
 }
 

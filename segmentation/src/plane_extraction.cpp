@@ -222,7 +222,7 @@ PlaneExtraction::joinParts()
     giveIfJoined (joining_);
   }
   if (parameters_.additions.joining) {
-    ends_.find (samples_, owners_, moments_);
+    ends_.find (samples_, owners_, parts_, moments_);
     giveIfJoined (ends_);
   }
   planes_.clear();

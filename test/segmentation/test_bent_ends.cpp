@@ -72,8 +72,10 @@ planesOf (const Region& region, float offset, float rise, const Region& curved =
     parts[static_cast<std::size_t> (owners[i])].add (
         p.data(), static_cast<double> (samples.weight[i]));
   }
+  std::vector<TilePart> tile_parts;
+  findTileParts (owners, tile_parts);
   BentEnds ends;
-  ends.find (samples, owners, parts);
+  ends.find (samples, owners, tile_parts, parts);
   EXPECT_EQ (ends.planes().front().points, parts.front().points);
   return ends.planeOfPart();
 }

@@ -6,6 +6,7 @@
 #include <pcl/features/rgbd_planes_exports.h>
 #include <pcl/segmentation/impl/plane_moments.h>
 #include <pcl/segmentation/impl/plane_samples.h>
+#include <pcl/segmentation/impl/tile_parts.h>
 
 #include <Eigen/Core>
 
@@ -25,11 +26,13 @@ namespace rgbd_planes {
 class PCL_RGBD_PLANES_EXPORTS BentEnds {
 public:
   /** \param[in] owners the part of each sample, or less than 0
+   * \param[in] tile_parts what each part owns in each tile
    * \param[in] parts planes that are not joined any more
    */
   void
   find (const PlaneSamples& samples,
         const std::vector<std::int32_t>& owners,
+        const std::vector<TilePart>& tile_parts,
         const std::vector<PlaneMoments>& parts);
 
   /** \brief The parts that are no ends. */
@@ -65,7 +68,13 @@ private:
   void
   lookAround (const PlaneSamples& samples,
               const std::vector<std::int32_t>& owners,
+              const std::vector<TilePart>& tile_parts,
               const std::vector<PlaneMoments>& parts);
+
+  void
+  lookBeside (const PlaneSamples& samples,
+              const std::vector<std::int32_t>& owners,
+              std::size_t i);
 
   bool
   isEnd (std::size_t part, const std::vector<PlaneMoments>& parts) const;
