@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -25,7 +27,7 @@ namespace rgbd_planes {
 template <typename Cluster>
 class ClusterMerging {
 public:
-  /** \brief Starts anew with these clusters, none merged. */
+  /** \brief Starts anew with these clusters, fewer than 2^16, none merged. */
   void
   reset (const std::vector<Cluster>& clusters)
   {
@@ -51,17 +53,20 @@ public:
   merge (float max_distance, const Distance& distance)
   {
     for (Candidate& candidate : queue_)
-      candidate.distance = distance (clusters_[candidate.a], clusters_[candidate.b]);
+      candidate = makeCandidate (
+          distance (clusters_[first (candidate)], clusters_[second (candidate)]),
+          first (candidate),
+          second (candidate));
     // Those that are too far apart come last, if others that merge bring them together.
     const auto end = std::partition (
-        queue_.begin(), queue_.end(), [max_distance] (const Candidate& candidate) {
-          return candidate.distance <= max_distance;
+        queue_.begin(), queue_.end(), [max_distance] (Candidate candidate) {
+          return distanceOf (candidate) <= max_distance;
         });
     far_.assign (end, queue_.end());
     queue_.erase (end, queue_.end());
     mergeQueue (max_distance, distance);
-    const auto is_near_now = [&] (const Candidate& candidate) {
-      const std::size_t a = find (candidate.a), b = find (candidate.b);
+    const auto is_near_now = [&] (Candidate candidate) {
+      const std::size_t a = find (first (candidate)), b = find (second (candidate));
       return a != b && distance (clusters_[a], clusters_[b]) <= max_distance;
     };
     if (std::any_of (far_.begin(), far_.end(), is_near_now)) {
@@ -88,18 +93,52 @@ public:
   }
 
 private:
+  /** Two neighbours as one number, the smallest of which merge first: the bits of their
+   * distance, a float, which are in its order, then their own numbers, so that results do not
+   * depend on the order of insertion. Most comparisons cannot be foreseen, and these are fast. */
+  using Candidate = std::uint64_t;
+
+  static Candidate
+  makeCandidate (float distance, std::size_t a, std::size_t b)
+  {
+    std::uint32_t bits;
+    std::memcpy (&bits, &distance, sizeof bits);
+    return std::uint64_t{bits} << 32 | a << 16 | b;
+  }
+
+  static float
+  distanceOf (Candidate candidate)
+  {
+    const auto bits = static_cast<std::uint32_t> (candidate >> 32);
+    float distance;
+    std::memcpy (&distance, &bits, sizeof distance);
+    return distance;
+  }
+
+  static std::size_t
+  first (Candidate candidate)
+  {
+    return candidate >> 16 & 0xffff;
+  }
+
+  static std::size_t
+  second (Candidate candidate)
+  {
+    return candidate & 0xffff;
+  }
+
   template <typename Distance>
   void
   mergeQueue (float max_distance, const Distance& distance)
   {
-    std::make_heap (queue_.begin(), queue_.end());
+    std::make_heap (queue_.begin(), queue_.end(), std::greater<>());
     while (!queue_.empty()) {
       sinkTop();
       Candidate& top = queue_.front();
-      const std::size_t a = find (top.a), b = find (top.b);
+      const std::size_t a = find (first (top)), b = find (second (top));
       const float now = a != b ? distance (clusters_[a], clusters_[b])
                                : std::numeric_limits<float>::infinity();
-      if (now > top.distance && now <= max_distance) {
+      if (now > distanceOf (top) && now <= max_distance) {
         // Either was merged since: wait for its turn.
         top = makeCandidate (now, a, b);
         continue;
@@ -122,41 +161,13 @@ private:
     std::size_t at = 0;
     for (std::size_t next = 1; next < queue_.size(); next = 2 * at + 1) {
       if (next + 1 < queue_.size())
-        next += queue_[next] < queue_[next + 1];
-      if (!(top < queue_[next]))
+        next += queue_[next + 1] < queue_[next];
+      if (top <= queue_[next])
         break;
       queue_[at] = queue_[next];
       at = next;
     }
     queue_[at] = top;
-  }
-
-  struct Candidate {
-    float distance;
-    std::uint32_t a;
-    std::uint32_t b;
-
-    /** The top of the queue is the nearest pair; ties are broken by number, so that
-     * results do not depend on the order of insertion. Without branches, which could not be
-     * foreseen. */
-    bool
-    operator<(const Candidate& other) const
-    {
-      return (distance > other.distance) |
-             ((distance == other.distance) & (pair() > other.pair()));
-    }
-
-    std::uint64_t
-    pair () const
-    {
-      return std::uint64_t{a} << 32 | b;
-    }
-  };
-
-  static Candidate
-  makeCandidate (float distance, std::size_t a, std::size_t b)
-  {
-    return {distance, static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b)};
   }
 
   std::vector<Cluster> clusters_;
