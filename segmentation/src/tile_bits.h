@@ -8,21 +8,28 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace pcl {
 namespace rgbd_planes {
 
 // Sets of the samples of a tile, a bit for each.
 
-/** The samples for whose value \a is_one (value) is true. */
+/** The samples for whose value \a is_one (value) is true: compilers make vectors of the loop,
+ * and a product moves the lowest bits of eight bytes into the highest byte. */
 template <typename Value, typename IsOne>
 std::uint16_t
 samplesWhere (const Value* values, const IsOne& is_one)
 {
-  unsigned bits = 0;
+  std::uint8_t ones[PlaneSamples::tile_size];
   for (std::size_t k = 0; k < PlaneSamples::tile_size; ++k)
-    bits |= static_cast<unsigned> (is_one (values[k])) << k;
-  return static_cast<std::uint16_t> (bits);
+    ones[k] = is_one (values[k]);
+  std::uint64_t words[2];
+  static_assert (sizeof words == sizeof ones);
+  std::memcpy (words, ones, sizeof words);
+  constexpr std::uint64_t to_highest_byte = 0x0102040810204080;
+  return static_cast<std::uint16_t> (words[0] * to_highest_byte >> 56 |
+                                     words[1] * to_highest_byte >> 56 << 8);
 }
 
 inline std::size_t
