@@ -8,6 +8,7 @@
 #include <pcl/segmentation/impl/plane_samples.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -118,6 +119,25 @@ PlaneSamples::compute (const OrganizedPoints& points,
       copyPixel (points, normals, pixel, at (u, v));
   }
   judgeSamples (*this, noise, max_curvature);
+  findNearestPoints();
+}
+
+void
+PlaneSamples::findNearestPoints()
+{
+  nearest_points_.clear();
+  for (std::size_t begin = 0; begin < size(); begin += tile_size) {
+    std::size_t nearest = begin;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t i = begin; i < begin + tile_size; ++i) {
+      const float square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+      if (weight[i] > 0.f && square < least) {
+        nearest = i;
+        least = square;
+      }
+    }
+    nearest_points_.emplace_back (x[nearest], y[nearest], z[nearest]);
+  }
 }
 
 void

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -87,19 +86,10 @@ public:
   }
 
   /** \brief The nearest measured point of \a tile; (0, 0, 0) if there is none. */
-  Eigen::Vector3f
+  const Eigen::Vector3f&
   nearestPoint (std::size_t tile) const
   {
-    std::size_t nearest = tile * tile_size;
-    float least = std::numeric_limits<float>::infinity();
-    for (std::size_t i = nearest; i < (tile + 1) * tile_size; ++i) {
-      const float square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
-      if (weight[i] > 0.f && square < least) {
-        nearest = i;
-        least = square;
-      }
-    }
-    return {x[nearest], y[nearest], z[nearest]};
+    return nearest_points_[tile];
   }
 
   /** \brief The place of column \a u, row \a v of the samples in the arrays. */
@@ -173,6 +163,9 @@ private:
              std::size_t pixel,
              std::size_t i);
 
+  void
+  findNearestPoints ();
+
   /** Tiles beside a tile in each direction: 1, or 0 where the image ends. */
   struct Around {
     std::uint8_t left, right, above, below;
@@ -185,6 +178,7 @@ private:
   };
 
   std::vector<Around> around_;
+  std::vector<Eigen::Vector3f> nearest_points_;
   /** Samples whose middle pixel has no usable point, or no normal. */
   std::vector<Place> missing_;
 };
