@@ -135,7 +135,8 @@ StepFinder::findLines (bool is_steep)
   const int slopes = length / 2 + 1;
   // Lines are numbered by where they cross the middle, from the first that may meet the grid.
   const int across = is_steep ? 0 : 1;
-  const int first = first_[across] - height_;
+  const int height = height_; // not a member, which what is written might change
+  const int first = first_[across] - height;
   const float origin = middle + static_cast<float> (first_[1 - across]);
   votes_.resize (
       static_cast<std::size_t> (RowRing<float>::roundUp (width_ + 2 * height_)));
@@ -143,10 +144,10 @@ StepFinder::findLines (bool is_steep)
   starts_.resize (static_cast<std::size_t> (height_));
   for (int k = -slopes; k <= slopes; ++k) {
     const float slope = static_cast<float> (k) / static_cast<float> (slopes);
-    for (int along = 0; along < height_; ++along) {
+    for (int along = 0; along < height; ++along) {
       const float at = slope * (static_cast<float> (along) - middle);
       starts_[static_cast<std::size_t> (along)] =
-          2 * height_ - static_cast<int> (at + static_cast<float> (height_));
+          2 * height - static_cast<int> (at + static_cast<float> (height));
     }
     std::fill (votes_.begin(), votes_.end(), 0.f);
     for (const Edge& edge : edges_) {
