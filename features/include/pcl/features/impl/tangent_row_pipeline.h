@@ -53,7 +53,7 @@ struct TangentGrid {
  * and runs a few rows ahead of the next one, so that what it writes still is in the cache
  * when it is read:
  *
- * points -> integral images of tangents -> plane of the area around each cell
+ * points -> cells -> integral images of tangents -> plane of the area around each cell
  * -> means of planes, where edge-aware: twice -> normals of points
  */
 class TangentRowPipeline {
