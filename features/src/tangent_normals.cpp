@@ -12,8 +12,9 @@ namespace rgbd_planes {
 namespace {
 
 /** Images whose longer side has so many pixels and more are computed on the means of 2 x 2
- * pixels: their smoothing areas are so large that nothing is lost. */
-constexpr int min_side_of_cells = 480;
+ * pixels: their smoothing areas are so large that nothing is lost. Not those of laser scanners
+ * with few rows, which see far floor in steps as it is. */
+constexpr int min_side_of_cells = 480, min_shorter_side_of_cells = 96;
 /** An area is so many times as large as the one before. With depth-dependent smoothing, its
  * size grows with the square root of the range. */
 constexpr float area_growth = 1.4f;
@@ -33,7 +34,10 @@ makeGrid (const OrganizedPoints& points, const TangentNormalParameters& paramete
 {
   TangentGrid grid;
   const int longer_side = std::max (points.width, points.height);
-  grid.step = longer_side >= min_side_of_cells ? 2 : 1;
+  const int shorter_side = std::min (points.width, points.height);
+  const bool is_large = longer_side >= min_side_of_cells &&
+                        shorter_side >= min_shorter_side_of_cells;
+  grid.step = is_large ? 2 : 1;
   grid.width = (points.width + grid.step - 1) / grid.step;
   grid.height = (points.height + grid.step - 1) / grid.step;
   const float side_of_cells = 2.f * static_cast<float> (grid.step);

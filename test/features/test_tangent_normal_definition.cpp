@@ -201,10 +201,10 @@ TEST (TangentNormalDefinition, OfPixels)
   }
 }
 
-/** Images of 480 columns and more, with odd and even numbers of columns and rows. */
+/** Images of 480 x 96 pixels and more, with odd and even numbers of columns and rows. */
 TEST (TangentNormalDefinition, OfCellsOfFourPixels)
 {
-  for (const auto& size : {std::pair (480, 2), {481, 1}, {500, 9}, {483, 12}}) {
+  for (const auto& size : {std::pair (480, 96), {97, 481}, {483, 99}}) {
     const Image image = roughImage (size.first, size.second, 6);
     for (const auto& half : {std::pair (2, 3), {4, 1}})
       expectTheDefinition (

@@ -29,7 +29,7 @@ allModes ()
 std::vector<Image>
 images ()
 {
-  return {Image (37, 23), Image (481, 11)};
+  return {Image (37, 23), Image (481, 97)};
 }
 
 /** \return how many points have a normal; all others must be NaN */
@@ -200,8 +200,8 @@ TEST (TangentNormalRobustness, FramesLeaveNothingBehind)
   const Image images[] = {roughImage (160, 60, 1),
                           roughImage (151, 60, 2),
                           roughImage (160, 47, 3),
-                          roughImage (640, 60, 4),
-                          roughImage (627, 60, 5)};
+                          roughImage (640, 96, 4),
+                          roughImage (627, 96, 5)};
   for (const auto& mode : allModes()) {
     pcl::rgbd_planes::TangentNormals used;
     for (const Image& image : images) {

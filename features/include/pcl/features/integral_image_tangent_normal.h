@@ -23,7 +23,7 @@ namespace pcl {
  * form a checkerboard, no point has a valid neighbour along one axis. Time is linear in the
  * number of points, and a third longer for smoothing areas of 64 pixels than for those of 8.
  *
- * -# Images whose longer side has 480 pixels and more are divided into cells of 2 x 2
+ * -# Images of 480 x 96 pixels and more, either way round, are divided into cells of 2 x 2
  *    pixels. The mean of those on the surface of the nearest one takes their place, and has
  *    less noise.
  * -# Tangents are the differences between neighbouring points to the left and right, and
