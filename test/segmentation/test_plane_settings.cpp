@@ -176,7 +176,7 @@ TEST (PlaneSettings, NoisySensorsHaveAWiderThreshold)
 TEST (PlaneSettings, FramesMayHaveMoreNoiseThanIsNotSet)
 {
   const Scene scene = render ({tiltedPlane (0.5f, 0.f, 0.f)}, 640, 480, [] (float z) {
-    return 2.5f * kinectSigma (z);
+    return 3.f * kinectSigma (z);
   });
   Ours segmentation;
   EXPECT_TRUE (segmentation.getDepthNoise().is_least);
