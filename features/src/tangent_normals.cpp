@@ -35,8 +35,8 @@ makeGrid (const OrganizedPoints& points, const TangentNormalParameters& paramete
   TangentGrid grid;
   const int longer_side = std::max (points.width, points.height);
   const int shorter_side = std::min (points.width, points.height);
-  const bool is_large = longer_side >= min_side_of_cells &&
-                        shorter_side >= min_shorter_side_of_cells;
+  const bool is_large =
+      longer_side >= min_side_of_cells && shorter_side >= min_shorter_side_of_cells;
   grid.step = is_large ? 2 : 1;
   grid.width = (points.width + grid.step - 1) / grid.step;
   grid.height = (points.height + grid.step - 1) / grid.step;
