@@ -10,7 +10,6 @@
 #include <hwy/cache_control.h>
 
 #include <limits>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace pcl {
@@ -24,12 +23,13 @@ namespace {
 constexpr float gate_sigmas = 3.5f;
 constexpr float gate_slope = 4.f;
 
-/** The rows of an image are read one by one, with pauses. */
+/** Rows of cells are read one by one, with pauses: those of the next one are step rows of points
+ * further on. */
 template <int step>
 HWY_INLINE void
 prefetchNext (const float* points, std::size_t cells)
 {
-  const float* next = points + 4 * step * cells;
+  const float* next = points + step * 4 * step * cells;
   for (std::size_t line = 0; line < 4 * step * hn::Lanes (Floats()); line += 16)
     hwy::Prefetch (next + line);
 }
@@ -148,16 +148,23 @@ loadCells (CellRow row, std::size_t at)
           load (row[cell_range] + at)};
 }
 
-/** From points to their neighbours; zero where they lie on different surfaces. */
+/** From points to their neighbours; zero where they lie on different surfaces. Surfaces seen at a
+ * flatter angle are told from steps by the ranges of the next two cells: the range changes by the
+ * same from each to the next. */
 HWY_INLINE Vectors
 tangentsBetween (const Cells& from,
                  const Cells& to,
-                 V squared_step,
+                 V third,
+                 V fourth,
                  V squared_gate,
                  const SensorModel& sensor)
 {
   const Vectors tangent = to.p - from.p;
   const V change = hn::Sub (to.range, from.range);
+  const V next_change = hn::Sub (third, to.range);
+  const V before = hn::Sub (next_change, change);
+  const V behind = hn::Sub (next_change, hn::Sub (fourth, third));
+  const V squared_step = hn::Max (hn::Mul (before, before), hn::Mul (behind, behind));
   constexpr float slope = gate_slope * gate_slope;
   // Also false where a range is infinite.
   const Mask near =
@@ -179,24 +186,17 @@ computeTangentsOf (const CellRow* rows,
   for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
     const Cells here = loadCells (rows[0], i);
     const V squared_gate = squaredGate (here.range, sensor);
-    // Surfaces seen at a flatter angle are told from steps by the next two cells: the range
-    // changes by the same from each to the next.
-    const auto link = [&] (const Cells& to, V third, V fourth) HWY_ATTR {
-      const V change = hn::Sub (third, to.range);
-      const V before = hn::Sub (change, hn::Sub (to.range, here.range));
-      const V behind = hn::Sub (change, hn::Sub (fourth, third));
-      return tangentsBetween (
-          here,
-          to,
-          hn::Max (hn::Mul (before, before), hn::Mul (behind, behind)),
-          squared_gate,
-          sensor);
-    };
     const auto range = [&] (std::size_t row, std::size_t column) HWY_ATTR {
       return load (rows[row][cell_range] + i + column);
     };
-    const Vectors h = link (loadCells (rows[0], i + 1), range (0, 2), range (0, 3));
-    const Vectors v = link (loadCells (rows[1], i), range (2, 0), range (3, 0));
+    const Vectors h = tangentsBetween (here,
+                                       loadCells (rows[0], i + 1),
+                                       range (0, 2),
+                                       range (0, 3),
+                                       squared_gate,
+                                       sensor);
+    const Vectors v = tangentsBetween (
+        here, loadCells (rows[1], i), range (2, 0), range (3, 0), squared_gate, sensor);
     store (h, tangents, 0, i);
     store (v, tangents, 3, i);
     // Next to the sensor, tangents can be longer than the range.

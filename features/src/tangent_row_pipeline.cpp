@@ -155,8 +155,10 @@ TangentRowPipeline::sumUpTo (int last)
     const auto row = [&] (int y) {
       return y < grid_.height ? cells_[y] : no_cells_[0];
     };
-    const int y = next_sum_;
-    computeTangents ({{row (y), row (y + 1), row (y + 2), row (y + 3)}},
+    computeTangents ({{row (next_sum_),
+                       row (next_sum_ + 1),
+                       row (next_sum_ + 2),
+                       row (next_sum_ + 3)}},
                      cells,
                      sensor_,
                      units_,
