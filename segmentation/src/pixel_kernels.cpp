@@ -15,6 +15,14 @@ namespace rgbd_planes {
 namespace HWY_NAMESPACE {
 namespace {
 
+/** The points whose sample has a normal that agrees with that of the plane. */
+HWY_INLINE Mask
+agreeWith (const TilePlane& plane, I samples)
+{
+  const auto bit = hn::ShiftLeft<31> (hn::Shr (setInts (plane.compatible), samples));
+  return hn::MaskFromVec (hn::BitCast (Floats(), hn::ShiftRight<31> (bit)));
+}
+
 /** The points, of which each gets one of the planes or none. */
 struct Nearest {
   Points points;
@@ -29,11 +37,9 @@ struct Nearest {
   lookAt (const TilePlane& plane, const PlaneEquation& equation)
   {
     const auto [distance, towards] = rayOffset (equation, points, range);
-    const auto bit = hn::ShiftLeft<31> (hn::Shr (setInts (plane.compatible), sample));
-    const Mask agrees =
-        hn::MaskFromVec (hn::BitCast (Floats(), hn::ShiftRight<31> (bit)));
-    const Mask on = hn::And (
-        hn::Le (hn::Mul (distance, denominator), hn::Mul (numerator, towards)), agrees);
+    const Mask on =
+        hn::And (hn::Le (hn::Mul (distance, denominator), hn::Mul (numerator, towards)),
+                 agreeWith (plane, sample));
     numerator = hn::IfThenElse (on, distance, numerator);
     denominator = hn::IfThenElse (on, towards, denominator);
     label = hn::IfThenElse (hn::RebindMask (Ints(), on), setInts (plane.number), label);
@@ -114,6 +120,48 @@ assignPointsHere (const PointBlock& points,
   }
 }
 
+std::ptrdiff_t
+unlabelledInFrontHere (const PointBlock& points,
+                       const std::uint32_t* labels,
+                       const PlaneEquation& plane,
+                       float max_squared_range)
+{
+  std::ptrdiff_t number = 0;
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
+    const Points p = load (points, i);
+    const Mask open = hn::And (isUsable (squaredLength (p), set (max_squared_range)),
+                               areLabel (labels + i, unlabelled));
+    const Mask in_front = hn::Gt (dot (plane, p), set (-plane.d));
+    const auto count = [] (Mask mask) HWY_ATTR {
+      return static_cast<std::ptrdiff_t> (hn::CountTrue (Floats(), mask));
+    };
+    number += count (hn::And (open, in_front)) - count (hn::AndNot (in_front, open));
+  }
+  return number;
+}
+
+void
+leaveFootPointsHere (const PointBlock& points,
+                     const std::int32_t* samples,
+                     const TilePlane& plane,
+                     const PlaneEquation& equation,
+                     const DepthNoise& tolerance,
+                     std::uint32_t* labels)
+{
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
+    const Reach reach = reachOf (load (points, i), tolerance);
+    const Mask in_front = hn::Gt (dot (equation, reach.points), set (-equation.d));
+    const Mask stays = hn::Or (isWithin (reach, equation),
+                               agreeWith (plane, hn::LoadU (Ints(), samples + i)));
+    const Mask is_foot =
+        hn::And (areLabel (labels + i, plane.number), hn::AndNot (stays, in_front));
+    storeInts (hn::IfThenElse (hn::RebindMask (Ints(), is_foot),
+                               setInts (unlabelled),
+                               loadInts (labels + i)),
+               labels + i);
+  }
+}
+
 std::size_t
 sumPointsHere (const PointBlock& points,
                const float* weights,
@@ -167,6 +215,8 @@ namespace rgbd_planes {
 
 HWY_EXPORT (loadPixelsHere);
 HWY_EXPORT (assignPointsHere);
+HWY_EXPORT (unlabelledInFrontHere);
+HWY_EXPORT (leaveFootPointsHere);
 HWY_EXPORT (sumPointsHere);
 HWY_EXPORT (lengthOfRunHere);
 
@@ -192,6 +242,28 @@ assignPoints (const PointBlock& points,
 {
   HWY_DYNAMIC_DISPATCH (assignPointsHere)
   (points, samples, planes, equations, tolerance, labels);
+}
+
+std::ptrdiff_t
+unlabelledInFront (const PointBlock& points,
+                   const std::uint32_t* labels,
+                   const PlaneEquation& plane,
+                   float max_squared_range)
+{
+  return HWY_DYNAMIC_DISPATCH (unlabelledInFrontHere) (
+      points, labels, plane, max_squared_range);
+}
+
+void
+leaveFootPoints (const PointBlock& points,
+                 const std::int32_t* samples,
+                 const TilePlane& plane,
+                 const PlaneEquation& equation,
+                 const DepthNoise& tolerance,
+                 std::uint32_t* labels)
+{
+  HWY_DYNAMIC_DISPATCH (leaveFootPointsHere)
+  (points, samples, plane, equation, tolerance, labels);
 }
 
 std::size_t

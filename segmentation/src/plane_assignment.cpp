@@ -17,6 +17,11 @@ namespace {
 /** Pixels are on a plane up to so many times the tolerance away from it: in tiles of which it owns
  * all samples, and elsewhere, as points within noise may be on the foot of what stands there. */
 constexpr float inner_reach = 1.15f, border_reach = 0.9f;
+/** Something stands on a plane where more points that are on none are in front of it than behind
+ * it, as noise is: by this share of the pixels of a tile. The foot of it may be what is in front of
+ * the plane there by more than so many times the tolerance, and has another normal. */
+constexpr double min_standing_share = 0.1;
+constexpr float foot_reach = 0.35f;
 
 /** Sums over the points with \a label; near \a reference they differ by little, and single
  * precision is enough.
@@ -134,7 +139,8 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
                                float max_sigmas)
 {
   const DepthNoise inner = noise.times (inner_reach * max_sigmas),
-                   border = noise.times (border_reach * max_sigmas);
+                   border = noise.times (border_reach * max_sigmas),
+                   foot = noise.times (foot_reach * max_sigmas);
   layOutTiles (samples, points);
   moments_.assign (planes.size(), PlaneMoments{});
   weighted_moments_.assign (planes.size(), PlaneMoments{});
@@ -153,11 +159,11 @@ PlaneAssignment::assignPixels (const OrganizedPoints& points,
         std::fill (tile_labels_.begin(), tile_labels_.end(), unlabelled);
       else {
         loadTile (points, selected, pixels, first);
-        assignTile ({x_.data(), y_.data(), z_.data(), pixels.offsets.size()},
-                    pixels.samples.data(),
-                    tile,
-                    is_inner_[tile] ? inner : border);
-        sumPixels (pixels.offsets.size(), samples.nearestPoint (tile), tile, noise);
+        const PointBlock block = {
+            x_.data(), y_.data(), z_.data(), pixels.offsets.size()};
+        assignTile (
+            block, pixels.samples.data(), tile, is_inner_[tile] ? inner : border);
+        sumPixels (block, pixels, samples, tile, noise, foot);
       }
       const auto row = static_cast<std::size_t> (pixels.width);
       for (std::size_t k = 0; k < static_cast<std::size_t> (pixels.height); ++k)
@@ -225,30 +231,62 @@ PlaneAssignment::sumSamples (const PlaneSamples& samples,
   }
 }
 
-/** Adds the pixels of the tile, likewise. */
+/** Adds the pixels of the tile, likewise. Feet of what stands in it lose their labels, but planes
+ * are fitted to them as well: noise in front of a plane weighs as much as that behind. */
 void
-PlaneAssignment::sumPixels (std::size_t size,
-                            const Eigen::Vector3f& near,
+PlaneAssignment::sumPixels (const PointBlock& points,
+                            const TilePixels& pixels,
+                            const PlaneSamples& samples,
                             std::size_t tile,
-                            const DepthNoise& noise)
+                            const DepthNoise& noise,
+                            const DepthNoise& foot)
 {
-  const Eigen::Vector3d reference = near.cast<double>();
+  const Eigen::Vector3d reference = samples.nearestPoint (tile).cast<double>();
   for (const TilePlane& plane : planesOf (tile)) {
     double sums[10];
-    const std::size_t number = sumPointsAround (reference,
-                                                {x_.data(), y_.data(), z_.data(), size},
-                                                ones_.data(),
-                                                tile_labels_.data(),
-                                                plane.number,
-                                                sums);
+    const auto sumUp = [&] {
+      return sumPointsAround (
+          reference, points, ones_.data(), tile_labels_.data(), plane.number, sums);
+    };
+    std::size_t number = sumUp();
     if (number == 0)
       continue;
-    moments_[plane.number].add (sums, number);
     const double square = sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3];
     const auto squared_range = static_cast<float> (square / (sums[0] * sums[0]));
     const float sigma = noise.sigmaAtSquare (squared_range);
     weighted_moments_[plane.number].add (sums, number, squared_range / (sigma * sigma));
+    if (!is_inner_[tile] && leaveFeet (points, pixels, samples, tile, plane, foot))
+      number = sumUp();
+    if (number != 0)
+      moments_[plane.number].add (sums, number);
   }
+}
+
+/** Takes the labels of feet off a plane in the tile, if something stands on it there.
+ * \return whether something does */
+bool
+PlaneAssignment::leaveFeet (const PointBlock& points,
+                            const TilePixels& pixels,
+                            const PlaneSamples& samples,
+                            std::size_t tile,
+                            const TilePlane& plane,
+                            const DepthNoise& foot)
+{
+  const PlaneEquation& equation = equations_[plane.number];
+  const std::ptrdiff_t standing =
+      unlabelledInFront (points, tile_labels_.data(), equation, foot.maxSquaredRange());
+  if (static_cast<double> (standing) <
+      min_standing_share * static_cast<double> (points.size))
+    return false;
+  const NormalsAtPlane normals = normalsAtPlane (
+      samples, tile * PlaneSamples::tile_size, equation, foot.normal_scatter);
+  leaveFootPoints (points,
+                   pixels.samples.data(),
+                   {plane.number, normals.near},
+                   equation,
+                   foot,
+                   tile_labels_.data());
+  return true;
 }
 
 } // namespace rgbd_planes

@@ -160,6 +160,25 @@ assignPoints (const PointBlock& points,
               const DepthNoise& tolerance,
               std::uint32_t* labels);
 
+/** By how many more points with no label are in front of \a plane than behind it. */
+std::ptrdiff_t
+unlabelledInFront (const PointBlock& points,
+                   const std::uint32_t* labels,
+                   const PlaneEquation& plane,
+                   float max_squared_range);
+
+/** Takes the label of \a plane from points that are in front of it by more than \a tolerance, and
+ * whose normals do not agree.
+ * \param[in] samples as in assignPoints()
+ */
+void
+leaveFootPoints (const PointBlock& points,
+                 const std::int32_t* samples,
+                 const TilePlane& plane,
+                 const PlaneEquation& equation,
+                 const DepthNoise& tolerance,
+                 std::uint32_t* labels);
+
 /** Looks at the points with \a label that clearly lie on \a plane, and clearly not on
  * \a other. */
 SideCounts

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -109,6 +110,44 @@ TEST (PlaneAdditions, AssignmentLeavesOutWhatFacesElsewhereAndIsOnNoPlane)
                  inside ? unlabelled : 0u)
           << u << ", " << v;
     }
+}
+
+namespace {
+
+/** A wall at 1 m, where a thing stands 5 cm in front of columns 300 to 339 and, beside it, columns
+ * 292 to 299 are \a ahead of the wall, by more than noise, with normals that say so or not. */
+PlaneExtraction
+extractFoot (float ahead, bool stands_out, bool has_normals_of_wall)
+{
+  const std::vector<Surface> wall{tiltedPlane (1.f, 0.f, 0.f)};
+  const Scene scene = render (wall);
+  const auto normals = trueNormals (scene, wall);
+  for (int v = 0; v < 480; ++v)
+    for (int u = 292; u < 340; ++u) {
+      const bool is_foot = u < 300;
+      if (is_foot || stands_out)
+        (*scene.cloud) (u, v).getVector3fMap() *= 1.f - (is_foot ? ahead : 0.05f);
+      if (is_foot ? !has_normals_of_wall : stands_out)
+        (*normals) (u, v).getNormalVector3fMap().setConstant (synthetic::nan);
+    }
+  return extract (*scene.cloud, *normals, {});
+}
+
+} // namespace
+
+TEST (PlaneAdditions, AssignmentLeavesOutTheFootOfWhatStandsOut)
+{
+  const float ahead = 0.005f;
+  const PlaneExtraction foot = extractFoot (ahead, true, false);
+  EXPECT_EQ (labelsIn (foot, 292, 300), Labels{unlabelled});
+  EXPECT_EQ (labelsIn (foot, 288, 292), Labels{0});
+  EXPECT_EQ (foot.moments()[0].points,
+             static_cast<std::size_t> (
+                 std::count (foot.labels().begin(), foot.labels().end(), 0u)));
+  const Labels on_wall{0};
+  EXPECT_EQ (labelsIn (extractFoot (ahead, false, false), 292, 300), on_wall);
+  EXPECT_EQ (labelsIn (extractFoot (ahead, true, true), 292, 300), on_wall);
+  EXPECT_EQ (labelsIn (extractFoot (-ahead, true, false), 292, 300), on_wall);
 }
 
 TEST (PlaneAdditions, IntersectionsLeaveOutWhatTurnsAGrazingPlane)

@@ -69,7 +69,10 @@ struct TilePlanes {
  * it is out of the question for the pixels of a sample with a trusted normal that
  * disagrees, unless one beside it agrees and it is on another plane or disagrees by less
  * than 60 degrees; and for those of one on a curved surface. Where planes meet
- * (PlaneIntersections), points on both go to the one on their side.
+ * (PlaneIntersections), points on both go to the one on their side. Where points
+ * on no plane stand out in front of one, by a tenth of the pixels of a tile more than are behind
+ * it, those in front of it by more than 0.35 times the tolerance, with another normal, may be on
+ * the foot of that, and stay without a plane.
  */
 class PCL_RGBD_PLANES_EXPORTS PlaneAssignment {
 public:
@@ -232,10 +235,20 @@ private:
               std::vector<PlaneMoments>& moments) const;
 
   void
-  sumPixels (std::size_t size,
-             const Eigen::Vector3f& near,
+  sumPixels (const PointBlock& points,
+             const TilePixels& pixels,
+             const PlaneSamples& samples,
              std::size_t tile,
-             const DepthNoise& noise);
+             const DepthNoise& noise,
+             const DepthNoise& foot);
+
+  bool
+  leaveFeet (const PointBlock& points,
+             const TilePixels& pixels,
+             const PlaneSamples& samples,
+             std::size_t tile,
+             const TilePlane& plane,
+             const DepthNoise& foot);
 
   /** Planes with enough samples in each tile: present_[first_present_[t] ...
    * first_present_[t + 1]); candidates likewise. */
