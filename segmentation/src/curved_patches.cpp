@@ -24,7 +24,7 @@ constexpr double min_continued = 0.4;
  * of depth on a far wall... */
 constexpr double min_turn = 0.1, min_turn_per_metre = 0.8;
 /** ... of which the patch turns this share per metre: what lies between creases does not. */
-constexpr double min_own_share = 0.35;
+constexpr double min_own_share = 0.25;
 /** Pipes and vaults turn this much per metre, as much on a patch as beside it but for this
  * factor, and this much in all for each metre of range: a wall that the error of depth bends
  * turns less, or turns back beside it. */
