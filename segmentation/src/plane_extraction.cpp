@@ -20,7 +20,7 @@ constexpr double max_angular_threshold = M_PI / 2.;
  * more. */
 constexpr double scatter_of_rest = 2.;
 /** A connected part of a cluster is a candidate with this share of min_inliers. */
-constexpr double min_candidate_share = 0.15;
+constexpr double min_candidate_share = 0.2;
 /** Planes grow over points up to so much farther away than their own may lie: better
  * one plane with a few points missing than two. */
 constexpr float growth_reach = 1.15f;
