@@ -238,7 +238,7 @@ ConcaveSplit::settle (const OrganizedPoints& points,
       for (std::size_t c = 0; c < parts_.size(); ++c)
         if (isFew (c + 1) &&
             liesAbove (points, parts_[c].runs, supports[k], parameters_) &&
-            shareOf (points, parts_[c].runs, isOverTop).isAtLeast (few))
+            isShareAtLeast (few, points, parts_[c].runs, isOverTop))
           parts_[c].support = k;
     }
   }

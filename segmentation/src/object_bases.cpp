@@ -101,14 +101,10 @@ bool
 ObjectClusters::isOver (const std::vector<PointRun>& thing,
                         const SupportSurface& base) const
 {
-  return shareOf (points_,
-                  thing,
-                  [&] (const float* p) {
-                    const float height = base.plane.distance (p);
-                    return height > 0.f ||
-                           mayBeOnPlane (p, base.plane, height, parameters_);
-                  })
-      .isAtLeast (nearly_all);
+  return isShareAtLeast (nearly_all, points_, thing, [&] (const float* p) {
+    const float height = base.plane.distance (p);
+    return height > 0.f || mayBeOnPlane (p, base.plane, height, parameters_);
+  });
 }
 
 /** Whether what is above the higher plane, and what is above the lower one, is a thing that
@@ -125,8 +121,8 @@ ObjectClusters::standsBeside (const std::vector<PointRun>& on_higher,
            lower.plane.distance (p) <= parameters_.max_object_height;
   };
   const auto isAbove = [&] (const float* p) { return higher.plane.distance (p) > 0.f; };
-  return shareOf (points_, on_higher, isInMargin).isAtLeast (nearly_all) &&
-         shareOf (points_, on_lower, isAbove).isAtLeast (side_share);
+  return isShareAtLeast (nearly_all, points_, on_higher, isInMargin) &&
+         isShareAtLeast (side_share, points_, on_lower, isAbove);
 }
 
 } // namespace rgbd_planes

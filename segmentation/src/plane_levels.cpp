@@ -32,13 +32,13 @@ liesAbove (const OrganizedPoints& points,
            const SupportSurface& support,
            const ObjectParameters& parameters)
 {
-  const auto shareAt = [&] (bool or_on_plane) {
-    return shareOf (points, thing, [&] (const float* p) {
+  const auto isAbove = [&] (double share, bool or_on_plane) {
+    return isShareAtLeast (share, points, thing, [&] (const float* p) {
       const Level level = levelOf (p, support, Reach::outline, parameters);
       return level == Level::above || (or_on_plane && level == Level::on_plane);
     });
   };
-  return shareAt (true).isAtLeast (nearly_all) && shareAt (false).isMost();
+  return isAbove (nearly_all, true) && isAbove (majority, false);
 }
 
 bool

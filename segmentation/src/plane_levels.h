@@ -31,17 +31,13 @@ constexpr std::size_t decisive_sample = 100;
 
 /** A thing has such a share of its points, at least, where it is said to be. */
 constexpr double nearly_all = 0.9;
+/** More than half, of up to 500 points. */
+constexpr double majority = 0.501;
 
 /** How many of a number of points are of a kind. */
 struct Share {
   std::size_t part = 0;
   std::size_t all = 0;
-
-  bool
-  isMost () const
-  {
-    return 2 * part > all;
-  }
 
   bool
   isAtLeast (double share) const
@@ -50,17 +46,28 @@ struct Share {
   }
 };
 
-/** The points of a decisive sample for which is_part (p) is true. */
+/** Whether is_part (p) is true of \a share, at least, of a decisive sample of the points of a
+ * thing. Looks at no more of these than it takes to tell. */
 template <typename Thing, typename IsPart>
-Share
-shareOf (const OrganizedPoints& points, const Thing& thing, const IsPart& is_part)
+bool
+isShareAtLeast (double share,
+                const OrganizedPoints& points,
+                const Thing& thing,
+                const IsPart& is_part)
 {
-  Share share;
+  const std::size_t step = stepOfSample (thing, decisive_sample);
+  const auto size = static_cast<double> ((pointsOf (thing) + step - 1) / step);
+  constexpr double rounding = 1e-9;
+  const double enough = share * size + rounding;
+  const double too_many = (1. - share) * size + rounding;
+  Share found;
   samplePoints (points, thing, decisive_sample, [&] (const auto& p) {
-    ++share.all;
-    share.part += is_part (p.data());
+    ++found.all;
+    found.part += is_part (p.data());
+    return static_cast<double> (found.part) < enough &&
+           static_cast<double> (found.all - found.part) < too_many;
   });
-  return share;
+  return found.isAtLeast (share);
 }
 
 } // namespace rgbd_planes

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace pcl {
@@ -29,14 +30,28 @@ pointsOf (const pcl::Indices& indices)
   return indices.size();
 }
 
-/** Calls use (index) for one of each \a step inliers, evenly spread. */
+/** Calls use (value). Where that tells whether to go on, returns it, else true. */
+template <typename Use, typename Value>
+bool
+goesOnAfter (const Use& use, const Value& value)
+{
+  if constexpr (std::is_void_v<decltype (use (value))>) {
+    use (value);
+    return true;
+  }
+  else
+    return use (value);
+}
+
+/** Calls use (index) for one of each \a step inliers, evenly spread, until it returns false. */
 template <typename Use>
 void
 sampleEvery (const pcl::Indices& inliers, std::size_t step, const Use& use)
 {
   SpreadSample sample (step);
   for (std::size_t i = sample.next(); i < inliers.size(); i = sample.next())
-    use (static_cast<std::size_t> (inliers[i]));
+    if (!goesOnAfter (use, static_cast<std::size_t> (inliers[i])))
+      return;
 }
 
 /** The same for runs. */
@@ -48,17 +63,27 @@ sampleEvery (const std::vector<PointRun>& runs, std::size_t step, const Use& use
   std::size_t i = sample.next(), begin = 0;
   for (const PointRun& run : runs) {
     for (; i < begin + run.length; i = sample.next())
-      use (run.first + (i - begin));
+      if (!goesOnAfter (use, run.first + (i - begin)))
+        return;
     begin += run.length;
   }
 }
 
-/** Calls use (index) for some \a count of the points of a thing, up to twice as many. */
+/** Of each so many points, one is of some \a count of the points of a thing. */
+template <typename Thing>
+std::size_t
+stepOfSample (const Thing& thing, std::size_t count)
+{
+  return std::max<std::size_t> (pointsOf (thing) / count, 1);
+}
+
+/** Calls use (index) for some \a count of the points of a thing, up to twice as many, until it
+ * returns false. */
 template <typename Thing, typename Use>
 void
 sampleIndices (const Thing& thing, std::size_t count, const Use& use)
 {
-  sampleEvery (thing, std::max<std::size_t> (pointsOf (thing) / count, 1), use);
+  sampleEvery (thing, stepOfSample (thing, count), use);
 }
 
 /** The same for \a count of them at most. */
@@ -78,8 +103,8 @@ samplePoints (const OrganizedPoints& points,
               const Use& use)
 {
   sampleIndices (thing, count, [&] (std::size_t index) {
-    if (isMeasured (points[index]))
-      use (Eigen::Map<const Eigen::Vector3f> (points[index]));
+    return !isMeasured (points[index]) ||
+           goesOnAfter (use, Eigen::Map<const Eigen::Vector3f> (points[index]));
   });
 }
 

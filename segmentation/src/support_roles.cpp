@@ -72,10 +72,10 @@ isFrontOf (const SupportSurface& support,
   const Eigen::Vector3f center =
       support.unproject (sum / static_cast<float> (corners.size()));
   return plane.plane.distance (center.data()) < 0.f && // normals face the sensor
-         shareOf (points, *plane.inliers, [&] (const float* p) {
+         isShareAtLeast (nearly_all, points, *plane.inliers, [&] (const float* p) {
            return support.plane.distance (p) <= max_object_height &&
                   support.surroundings.contains (support.project (p));
-         }).isAtLeast (nearly_all);
+         });
 }
 
 } // namespace
@@ -101,8 +101,8 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
         });
   };
   for (const auto& plane : planes) {
-    const auto isAtOneOf = [&] (Reach reach) {
-      return shareOf (points, *plane.inliers, [&] (const float* p) {
+    const auto isAtOneOf = [&] (double share, Reach reach) {
+      return isShareAtLeast (share, points, *plane.inliers, [&] (const float* p) {
         return std::any_of (
             supports_.begin(), supports_.end(), [&] (const SupportSurface& support) {
               return levelOf (p, support, reach, parameters) != Level::elsewhere;
@@ -110,8 +110,8 @@ SupportPlanes::findBackground (const OrganizedPoints& points,
       });
     };
     const bool is_background =
-        !isAtOneOf (Reach::surroundings).isAtLeast (1. - background_share) ||
-        !isAtOneOf (Reach::outline).isAtLeast (over_hull_share) ||
+        !isAtOneOf (1. - background_share, Reach::surroundings) ||
+        !isAtOneOf (over_hull_share, Reach::outline) ||
         (!supports (plane) && goesAcross (points, margins_, *plane.inliers));
     if (is_background && !isFront (plane))
       background_.push_back (plane);
@@ -124,9 +124,9 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
                                     const ObjectParameters& parameters)
 {
   for (std::size_t k = supports_.size(); k-- > 0;) { // the lowest first
-    const auto isOnLower = [&] (Reach reach) {
+    const auto isOnLower = [&] (double share, Reach reach) {
       const auto& inliers = *planes[supports_[k].index].inliers;
-      return shareOf (points, inliers, [&] (const float* p) {
+      return isShareAtLeast (share, points, inliers, [&] (const float* p) {
         return std::any_of (supports_.begin() + static_cast<std::ptrdiff_t> (k) + 1,
                             supports_.end(),
                             [&] (const SupportSurface& lower) {
@@ -137,8 +137,8 @@ SupportPlanes::markPlanesOnObjects (const OrganizedPoints& points,
       });
     };
     SupportSurface& support = supports_[k];
-    const bool is_on_lower = isOnLower (Reach::surroundings).isMost() &&
-                             isOnLower (Reach::outline).isAtLeast (over_hull_share);
+    const bool is_on_lower = isOnLower (majority, Reach::surroundings) &&
+                             isOnLower (over_hull_share, Reach::outline);
     support.is_platform =
         is_on_lower &&
         makePlatform (points, *planes[support.index].inliers, parameters, support);
