@@ -3,11 +3,11 @@
 
 #include "flat_vectors.h"
 #include "point_sample.h"
+#include "trim_kernels.h"
 
 #include <pcl/segmentation/impl/ground_rectangle.h>
 
 #include <array>
-#include <limits>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -48,24 +48,12 @@ areaAlong (const std::vector<Vector2f>& hull,
 float
 lowestBut (std::size_t few, const std::vector<float>& values, float sign)
 {
-  // More values than a few are no higher than the lowest one of each group; not many are.
-  constexpr std::size_t groups = 8;
-  static_assert (trimmed_part * max_points_of_thing < groups,
-                 "there are enough groups");
-  std::array<float, groups> lowest;
-  lowest.fill (std::numeric_limits<float>::max());
-  for (std::size_t i = 0; i + groups <= values.size(); i += groups)
-    for (std::size_t k = 0; k < groups; ++k)
-      lowest[k] = std::min (lowest[k], sign * values[i + k]);
-  const float bound = *std::max_element (lowest.begin(), lowest.end());
-  std::array<float, max_points_of_thing> candidates{};
-  auto end = candidates.begin();
-  for (const float value : values) {
-    *end = sign * value;
-    end += *end <= bound;
-  }
-  const auto selected = candidates.begin() + static_cast<std::ptrdiff_t> (few);
-  std::nth_element (candidates.begin(), selected, end);
+  static_assert (trimmed_part * max_points_of_thing < trim_groups, "enough are found");
+  std::array<float, max_points_of_thing> low;
+  const auto end = low.begin() + static_cast<std::ptrdiff_t> (findLow (
+                                     values.data(), values.size(), sign, low.data()));
+  const auto selected = low.begin() + static_cast<std::ptrdiff_t> (few);
+  std::nth_element (low.begin(), selected, end);
   return *selected;
 }
 

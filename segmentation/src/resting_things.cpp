@@ -5,6 +5,7 @@
 #include "plane_levels.h"
 #include "point_sample.h"
 
+#include <pcl/segmentation/impl/ground_rectangle.h>
 #include <pcl/segmentation/impl/pixel_lines.h>
 #include <pcl/segmentation/impl/resting_things.h>
 
@@ -88,12 +89,9 @@ RestingThings::extentOf (const ObjectCluster& thing, const SupportSurface& suppo
     extent.middle += support.project (points_[i]);
   });
   const auto count = static_cast<float> (heights_.size());
-  const auto few = static_cast<std::ptrdiff_t> (trimmed_part * count);
-  const auto low = heights_.begin() + few, high = heights_.end() - 1 - few;
-  std::nth_element (heights_.begin(), low, heights_.end());
-  extent.low = *low;
-  std::nth_element (low, high, heights_.end());
-  extent.high = *high;
+  const CoordinateRange heights = trimmedRange (heights_);
+  extent.low = heights.low;
+  extent.high = heights.high;
   extent.middle /= count;
   extent.sigma = parameters_.noise.sigmaAtSquare (squared_range / count);
   rise = std::min (std::fabs (rise / count), 1.f);
