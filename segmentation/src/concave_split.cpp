@@ -68,6 +68,9 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
   part_.resize (image_.owner.size());
   // They have left the cache since they were computed, and runs are too short for it to see
   // which come next.
+  const auto isFirstInCells = [&] (const PointRun& run) {
+    return run.first / static_cast<std::uint32_t> (points.width) % image_.step() == 0;
+  };
   const auto prefetchNormals = [&] (const PointRun& run) {
     for (std::uint32_t i = run.first; i < run.first + run.length; i += image_.step())
       hwy::Prefetch (normals[i]);
@@ -89,7 +92,7 @@ ConcaveSplit::layOut (const OrganizedPoints& points,
     };
     const auto& runs = clusters[k].runs;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-      if (r + runs_ahead < runs.size())
+      if (r + runs_ahead < runs.size() && isFirstInCells (runs[r + runs_ahead]))
         prefetchNormals (runs[r + runs_ahead]);
       image_.forEachCell (runs[r], addCell);
     }
