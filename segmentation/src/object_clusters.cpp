@@ -172,16 +172,6 @@ ObjectClusters::settleBeside (std::uint32_t i) const
   return outside;
 }
 
-/** Over the plane as the camera bends it. */
-float
-ObjectClusters::heightAbove (const SupportSurface& support,
-                             std::uint32_t v,
-                             std::uint32_t u) const
-{
-  return support.plane.distance (points_[v * width_ + u]) -
-         support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
-}
-
 /** In the direction of \a step. Cameras have margins where nothing is measured: those with
  * nothing between them and the border, if that is near. */
 std::size_t
@@ -209,6 +199,12 @@ ObjectClusters::pointsAtBorder (const PointRun& run, std::ptrdiff_t step) const
 std::size_t
 ObjectClusters::pointsAtBorder (const PointRun& run) const
 {
+  const std::uint32_t u = run.first % width_, v = run.first / width_;
+  const ImageMargins& margins = supports_->margins();
+  if (u >= margins.left && u + run.length + margins.right <= width_ &&
+      v >= margins.above &&
+      v + margins.below < static_cast<std::uint32_t> (points_.height))
+    return 0;
   return pointsAtBorder (run, -1) + pointsAtBorder (run, 1) +
          pointsAtBorder (run, -points_.width) + pointsAtBorder (run, points_.width);
 }

@@ -48,12 +48,13 @@ ObjectClusters::visitMargin (const PointRun& run, const Visit& visit) const
   }
 }
 
+/** With \a up from a pixel to the one above it. */
 void
 ObjectClusters::lookAtMargin (const PointRun& run,
+                              std::ptrdiff_t up,
                               const LinkLimit& limit,
                               Sums& sums) const
 {
-  const std::ptrdiff_t up = stepUpwards (run.first);
   visitMargin (run, [&] (std::uint32_t i) {
     countLeak (i, run, limit, sums);
     countTop (i, up, limit, sums);
@@ -83,7 +84,6 @@ ObjectClusters::countLeak (std::uint32_t i,
   sums.at_background += is_at_background;
 }
 
-/** With \a up from a pixel to the one above it. */
 void
 ObjectClusters::countTop (std::uint32_t i,
                           std::ptrdiff_t up,

@@ -65,9 +65,12 @@ ObjectClusters::sumUp()
       sums.high +=
           pointsBeyond (high_sigmas * scatter, run, supports_->planes()[sums.support]);
     sums.over_hull += pointsOverHull (run, supports_->planes()[sums.support]);
-    sums.at_border += pointsAtBorder (run);
-    sums.cut_tops += pointsAtBorder (run, stepUpwards (run.first));
-    lookAtMargin (run, limit, sums);
+    const std::ptrdiff_t up = stepUpwards (run.first);
+    if (const std::size_t at_border = pointsAtBorder (run)) {
+      sums.at_border += at_border;
+      sums.cut_tops += pointsAtBorder (run, up);
+    }
+    lookAtMargin (run, up, limit, sums);
   });
   forEachRun ([this] (const PointRun& run, Sums& sums) {
     if (sums.at_background > 0)

@@ -158,8 +158,13 @@ private:
   Place
   settleBeside (std::uint32_t i) const;
 
+  /** \brief Over the plane as the camera bends it. */
   float
-  heightAbove (const SupportSurface& support, std::uint32_t v, std::uint32_t u) const;
+  heightAbove (const SupportSurface& support, std::uint32_t v, std::uint32_t u) const
+  {
+    return support.plane.distance (points_[v * width_ + u]) -
+           support.warp.row (static_cast<int> (v))[u / PointRow::block_size];
+  }
 
   float
   heightAbove (const SupportSurface& support, std::uint32_t i) const
@@ -210,7 +215,10 @@ private:
   visitMargin (const PointRun& run, const Visit& visit) const;
 
   void
-  lookAtMargin (const PointRun& run, const LinkLimit& limit, Sums& sums) const;
+  lookAtMargin (const PointRun& run,
+                std::ptrdiff_t up,
+                const LinkLimit& limit,
+                Sums& sums) const;
 
   void
   countLeak (std::uint32_t i,
