@@ -117,6 +117,7 @@ ConvexOutline::compute (std::vector<Vector2f>& points, float tolerance)
   for (const auto& corner : corners_)
     for (const auto& offset : disc)
       grown_.push_back (corner + offset);
+  dropInnerPoints (grown_);
   sortByX (grown_);
   lower_.points.clear();
   upper_.points.clear();
