@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include <hwy/cache_control.h>
+
 #include <pcl/segmentation/impl/plane_warp.h>
 
 #include <algorithm>
@@ -11,6 +13,8 @@ namespace rgbd_planes {
 namespace {
 
 constexpr std::size_t sample_step = 10;
+/** Points are fetched before so many samples. */
+constexpr std::size_t samples_ahead = 16;
 /** Blocks of a row for which a window reaches one block further to each side. */
 constexpr std::size_t blocks_per_reach = 16;
 /** The part of the pixels of a window that inliers must fill. */
@@ -32,6 +36,9 @@ PlaneWarp::compute (const OrganizedPoints& points,
   const auto width = static_cast<std::size_t> (points.width);
   std::size_t row = 0; // of the pixel before
   for (std::size_t k = 0; k < inliers.size(); k += sample_step) {
+    if (k + samples_ahead * sample_step < inliers.size())
+      hwy::Prefetch (
+          points[static_cast<std::size_t> (inliers[k + samples_ahead * sample_step])]);
     const auto index = static_cast<std::size_t> (inliers[k]);
     const float* p = points[index];
     if (!isMeasured (p))

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "spread_sample.h"
+#include <hwy/cache_control.h>
 
 #include <pcl/features/impl/organized_view.h>
 #include <pcl/segmentation/impl/linked_runs.h>
@@ -12,8 +13,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -102,10 +105,24 @@ samplePoints (const OrganizedPoints& points,
               std::size_t count,
               const Use& use)
 {
-  sampleIndices (thing, count, [&] (std::size_t index) {
+  const auto goesOnAfterPoint = [&] (std::size_t index) {
     return !isMeasured (points[index]) ||
            goesOnAfter (use, Eigen::Map<const Eigen::Vector3f> (points[index]));
+  };
+  // They are so far apart that the cache cannot foresee them: they wait until they are fetched.
+  std::array<std::size_t, 16> waiting{};
+  std::size_t number = 0;
+  bool goes_on = true;
+  sampleIndices (thing, count, [&] (std::size_t index) {
+    hwy::Prefetch (points[index]);
+    const std::size_t next = std::exchange (waiting[number % waiting.size()], index);
+    goes_on = number++ < waiting.size() || goesOnAfterPoint (next);
+    return goes_on;
   });
+  for (std::size_t k = number - std::min (number, waiting.size());
+       goes_on && k < number;
+       ++k)
+    goes_on = goesOnAfterPoint (waiting[k % waiting.size()]);
 }
 
 } // namespace rgbd_planes
