@@ -107,6 +107,10 @@ AttachedParts::findContacts (const ObjectCluster& cluster,
                                         std::ptrdiff_t{-1},
                                         std::ptrdiff_t{1},
                                         std::ptrdiff_t{points_.width}}) {
+        const bool is_in_run =
+            step == -1 ? i > run.first : step == 1 && i + 1 < run.first + run.length;
+        if (is_in_run)
+          continue;
         const auto next = occlusions_->nextCluster (i, step, pixels);
         if (!next || !isNear (points_[i], points_[next->point]))
           continue;
