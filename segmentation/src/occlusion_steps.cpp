@@ -34,11 +34,7 @@ OcclusionSteps::compute (const OrganizedPoints& points,
                          const std::vector<ObjectCluster>& clusters)
 {
   points_ = points;
-  owner_.assign (points.size(), 0);
-  for (std::size_t k = 0; k < clusters.size(); ++k)
-    for (const PointRun& run : clusters[k].runs)
-      std::fill_n (
-          owner_.begin() + run.first, run.length, static_cast<std::uint32_t> (k + 1));
+  own (clusters);
   extents_.resize (clusters.size());
   steps_.clear();
   lowest_of_all_.clear();
@@ -59,6 +55,26 @@ OcclusionSteps::compute (const OrganizedPoints& points,
   std::sort (steps_.begin(), steps_.end(), [] (const auto& a, const auto& b) {
     return std::tie (b.front, a.behind, a.line) < std::tie (a.front, b.behind, b.line);
   });
+}
+
+/** Clusters are a small part of the image. */
+void
+OcclusionSteps::own (const std::vector<ObjectCluster>& clusters)
+{
+  const auto give = [this] (const std::vector<PointRun>& runs, std::size_t owner) {
+    for (const PointRun& run : runs)
+      std::fill_n (
+          owner_.begin() + run.first, run.length, static_cast<std::uint32_t> (owner));
+  };
+  if (owner_.size() == points_.size())
+    give (owned_, 0);
+  else
+    owner_.assign (points_.size(), 0);
+  owned_.clear();
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    give (clusters[k].runs, k + 1);
+    owned_.insert (owned_.end(), clusters[k].runs.begin(), clusters[k].runs.end());
+  }
 }
 
 /** The lowest and the highest point of the cluster in each of its lines. */

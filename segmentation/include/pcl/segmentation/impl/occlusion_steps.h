@@ -127,6 +127,9 @@ private:
   };
 
   void
+  own (const std::vector<ObjectCluster>& clusters);
+
+  void
   findEnds (const ObjectCluster& cluster, Extent& extent);
 
   bool
@@ -137,6 +140,7 @@ private:
 
   OrganizedPoints points_;
   std::vector<std::uint32_t> owner_; // of each point: its cluster, from 1 on, or 0
+  std::vector<PointRun> owned_;      // those that are of one
   std::vector<Extent> extents_;
   // Points in each line of a cluster, or no_pixel:
   std::vector<std::uint32_t> lowest_, highest_;
