@@ -7,10 +7,11 @@
 
 #include <pcl/segmentation/impl/obstacle_extraction.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pcl {
 namespace rgbd_planes {
@@ -151,30 +152,30 @@ ObstacleExtraction::collect (const OrganizedPoints& points,
                              const Eigen::Affine3f& camera_to_base,
                              std::vector<Obstacle>& obstacles)
 {
+  using Count = boost::counting_iterator<pcl::index_t>;
   const auto& sizes = clusters_.sizes();
   const auto& runs = clusters_.runs();
   obstacles.resize (sizes.size());
-  ends_.resize (sizes.size());
   nearest_runs_.assign (sizes.size(), runs.size());
   for (std::size_t k = 0; k < sizes.size(); ++k) {
-    obstacles[k].indices.resize (sizes[k]);
+    obstacles[k].indices.clear();
+    obstacles[k].indices.reserve (sizes[k]);
     obstacles[k].min_height = std::numeric_limits<float>::infinity();
     obstacles[k].max_height = -std::numeric_limits<float>::infinity();
-    ends_[k] = obstacles[k].indices.data();
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto& [first, length, cluster] = runs[i];
     if (cluster == ObstacleClusters::none)
       continue;
-    std::iota (
-        ends_[cluster], ends_[cluster] + length, static_cast<pcl::index_t> (first));
-    ends_[cluster] += length;
+    Obstacle& obstacle = obstacles[cluster];
+    obstacle.indices.insert (obstacle.indices.end(),
+                             Count (static_cast<pcl::index_t> (first)),
+                             Count (static_cast<pcl::index_t> (first + length)));
     std::size_t& nearest = nearest_runs_[cluster];
     const Extent& extent = extents_[i];
     if (nearest == runs.size() ||
         extent.nearest_square < extents_[nearest].nearest_square)
       nearest = i;
-    Obstacle& obstacle = obstacles[cluster];
     obstacle.min_height = std::min (obstacle.min_height, extent.lowest);
     obstacle.max_height = std::max (obstacle.max_height, extent.highest);
   }

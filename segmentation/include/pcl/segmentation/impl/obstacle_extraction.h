@@ -135,9 +135,7 @@ private:
   std::vector<Extent> extents_;        // of each run; infinite before its scan
   std::vector<ScanRun> scan_runs_;     // of the row at hand
   PointRow late_row_;
-  // Of each obstacle.
-  std::vector<std::size_t> nearest_runs_;
-  std::vector<pcl::index_t*> ends_; // of its indices so far
+  std::vector<std::size_t> nearest_runs_; // of each obstacle
 };
 
 } // namespace rgbd_planes
