@@ -152,21 +152,21 @@ ObstacleClusters::joinRows (const Row& above,
                             int aside,
                             const IsConnected& isConnected)
 {
-  std::size_t a = above.runs;
-  for (std::size_t b = below.runs; b < below.end_of_runs; ++b) {
-    const std::size_t first = runs_[b].first - below.first;
-    const std::size_t end = first + runs_[b].length;
-    const auto endAbove = [&] { // where points of the run below are beyond that above
-      return runs_[a].first + runs_[a].length - above.first - aside;
-    };
-    for (std::size_t u = nextBit (candidates, first); u < end;) {
-      while (endAbove() <= u)
-        ++a;
-      const bool is_connected = isConnected (u);
-      if (is_connected)
-        sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
-      u = nextBit (candidates, is_connected ? endAbove() : u + 1);
-    }
+  std::size_t a = above.runs, b = below.runs;
+  // Where points of the row below are beyond the runs at hand.
+  const auto endAbove = [&] {
+    return runs_[a].first + runs_[a].length - above.first - aside;
+  };
+  const auto endBelow = [&] { return runs_[b].first + runs_[b].length - below.first; };
+  for (std::size_t u = nextBit (candidates, 0); u < width_;) {
+    while (endAbove() <= u)
+      ++a;
+    while (endBelow() <= u)
+      ++b;
+    const bool is_connected = isConnected (u);
+    if (is_connected)
+      sets_.join (static_cast<std::uint32_t> (a), static_cast<std::uint32_t> (b));
+    u = nextBit (candidates, is_connected ? std::min (endAbove(), endBelow()) : u + 1);
   }
 }
 
