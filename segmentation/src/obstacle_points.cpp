@@ -4,6 +4,7 @@
 #include "cell_middle.h"
 #include "obstacle_kernels.h"
 #include "row_bits.h"
+#include <hwy/cache_control.h>
 
 #include <pcl/segmentation/impl/obstacle_points.h>
 
@@ -92,6 +93,8 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
                         RowLinks& links,
                         std::vector<ObstacleClass>& classes)
 {
+  if (frame.floor.isFound())
+    prefetchNormals (frame, v);
   const std::size_t first = static_cast<std::size_t> (v) * width_;
   row_.resize (links.to_left.size() * bits_in_word);
   classifyRow (points,
@@ -129,16 +132,33 @@ ObstaclePoints::addRow (const ObstacleFrame& frame,
   return v + 1;
 }
 
+/** Those that the row of cells to come looks at, some with each row before it: memory is not kept
+ * waiting by all of them. */
+void
+ObstaclePoints::prefetchNormals (const ObstacleFrame& frame, int v) const
+{
+  const int next = middle (v / cell_size_ + 1, cell_size_, frame.points.height);
+  for (int cell = v % cell_size_; cell < cells_u_; cell += cell_size_) {
+    const int i = next * width_ + middle (cell, cell_size_, width_);
+    hwy::Prefetch (frame.normals[static_cast<std::size_t> (i)]);
+  }
+}
+
 void
 ObstaclePoints::judgePlanes (const ObstacleFrame& frame,
                              std::size_t first,
                              std::vector<ObstacleClass>& classes) const
 {
   const std::size_t end = first + static_cast<std::size_t> (width_);
+  std::uint32_t plane = frame.planes[first];
+  float level = frame.floor.level (plane);
+  bool is_part = frame.floor.isPart (plane);
   for (std::size_t i = first; i < end; ++i) {
-    const std::uint32_t plane = frame.planes[i];
-    const float level = frame.floor.level (plane);
-    const bool is_part = frame.floor.isPart (plane);
+    if (frame.planes[i] != plane) {
+      plane = frame.planes[i];
+      level = frame.floor.level (plane);
+      is_part = frame.floor.isPart (plane);
+    }
     if (classes[i] == ObstacleClass::unmeasured || (!is_part && level == 0.f))
       continue;
     const float* p = frame.points[i];

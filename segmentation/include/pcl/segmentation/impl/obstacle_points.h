@@ -111,6 +111,9 @@ public:
   }
 
 private:
+  void
+  prefetchNormals (const ObstacleFrame& frame, int v) const;
+
   /** Points of the row on other parts of the floor are floor unless they are too far off
    * for the error of depth, those on other levels are not. */
   void
