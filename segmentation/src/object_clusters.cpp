@@ -48,7 +48,7 @@ ObjectClusters::compute (const OrganizedPoints& points,
 void
 ObjectClusters::markBackground()
 {
-  is_background_.assign (points_.size(), 0);
+  is_background_.assign (points_.size() + PointRow::block_size, 0);
   for (const auto& plane : supports_->background())
     for (const auto index : *plane.inliers)
       is_background_[static_cast<std::size_t> (index)] = 1;
@@ -85,7 +85,13 @@ ObjectClusters::findRuns (const std::vector<std::uint8_t>& selected)
     PointRow &row = rows_[v % 2], &row_above = rows_[1 - v % 2];
     row.load (points_, v);
     const auto first = static_cast<std::uint32_t> (v * points_.width);
-    placeRow (row, v, bases_, parameters_, &place_[first], has_above_.data());
+    placeRow (row,
+              v,
+              bases_,
+              parameters_,
+              &is_background_[first],
+              &place_[first],
+              has_above_.data());
     settleRow (first, selected);
     linkRow (
         row, row_above, limit, has_above_.data(), to_left_.data(), to_above_.data());
@@ -118,14 +124,9 @@ void
 ObjectClusters::settleRow (std::uint32_t first,
                            const std::vector<std::uint8_t>& selected)
 {
-  const std::uint32_t width =
-      width_; // bytes that are written could be those of the member
-  const std::uint8_t* is_background = &is_background_[first];
-  std::uint8_t* place = &place_[first];
-  for (std::uint32_t u = 0; u < width; ++u)
-    place[u] = is_background[u] ? std::uint8_t{nowhere} : place[u];
-  for (std::uint32_t u = 0; u < width && !selected.empty(); ++u)
-    place[u] = selected[first + u] ? place[u] : std::uint8_t{nowhere};
+  const std::uint32_t end = first + width_;
+  for (std::uint32_t i = first; i < end && !selected.empty(); ++i)
+    place_[i] = selected[i] ? place_[i] : std::uint8_t{nowhere};
   for (const std::uint8_t kind : has_above_) {
     for (std::uint32_t i = first; kind > 1 && i < first + PointRow::block_size; ++i)
       if (place_[i] >= maybe_above)

@@ -62,6 +62,7 @@ using Supports = std::vector<const SupportSurface*>;
 /** As placeRow(), for some points of a block of row \a v. */
 HWY_INLINE I
 placesOf (const Points& p,
+          I is_background,
           int v,
           std::size_t block,
           const Supports& planes,
@@ -70,8 +71,10 @@ placesOf (const Points& p,
   const V squared_range = squaredLength (p);
   const V noise =
       hn::Mul (set (plane_sigmas), sigmaOf (parameters.noise, squared_range));
-  Mask is_open = isUsable (squared_range, set (parameters.noise.maxSquaredRange()));
-  auto place = hn::Set (Ints(), 1);
+  Mask is_open =
+      hn::And (isUsable (squared_range, set (parameters.noise.maxSquaredRange())),
+               hn::RebindMask (Floats(), hn::Eq (is_background, hn::Zero (Ints()))));
+  auto place = hn::Sub (hn::Set (Ints(), 1), is_background);
   for (std::size_t number = 0; number < planes.size(); ++number) {
     if (hn::AllFalse (Floats(), is_open))
       break;
@@ -125,6 +128,7 @@ placeRowHere (const PointRow& row,
               int v,
               const Supports& planes,
               const ObjectParameters& parameters,
+              const std::uint8_t* is_background,
               std::uint8_t* places,
               std::uint8_t* has_above)
 {
@@ -132,7 +136,10 @@ placeRowHere (const PointRow& row,
     auto highest = hn::Zero (Ints());
     for (std::size_t k = 0; k < PointRow::block_size; k += hn::Lanes (Floats())) {
       const auto i = static_cast<std::ptrdiff_t> (block * PointRow::block_size + k);
-      const auto place = placesOf (load (row, i), v, block, planes, parameters);
+      const auto background = hn::PromoteTo (
+          Ints(), hn::LoadU (hn::Rebind<std::uint8_t, Ints>(), is_background + i));
+      const auto place =
+          placesOf (load (row, i), background, v, block, planes, parameters);
       highest = hn::Max (highest, place);
       storeBytes (place, places + i);
     }
@@ -159,11 +166,12 @@ placeRow (const PointRow& row,
           int v,
           const std::vector<const SupportSurface*>& planes,
           const ObjectParameters& parameters,
+          const std::uint8_t* is_background,
           std::uint8_t* places,
           std::uint8_t* has_above)
 {
   HWY_DYNAMIC_DISPATCH (placeRowHere)
-  (row, v, planes, parameters, places, has_above);
+  (row, v, planes, parameters, is_background, places, has_above);
 }
 
 } // namespace rgbd_planes
