@@ -70,7 +70,7 @@ ObjectClusters::countLeak (std::uint32_t i,
   bool leaks = false, is_at_background = false;
   const auto lookAt = [&] (std::ptrdiff_t step) {
     const std::uint32_t j = nextPixel (points_, i, step);
-    if (isMeasured (points_[j]) && (is_background_[j] || place_[j] == outside) &&
+    if ((is_background_[j] || place_[j] == outside) && isMeasured (points_[j]) &&
         limit.allows (points_[i], points_[j]))
       (is_background_[j] ? is_at_background : leaks) = true;
   };

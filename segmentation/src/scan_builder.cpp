@@ -80,6 +80,8 @@ ScanBuilder::add (const PointRow& row,
                   const Eigen::Vector4f& floor,
                   const std::vector<ScanRun>& runs)
 {
+  if (runs.empty())
+    return;
   std::fill (columns_.in_range.begin(), columns_.in_range.end(), 0);
   scanRuns (row, camera_to_base, floor, limits_, runs, columns_);
   for (std::size_t k = 0; k < columns_.strays.size(); ++k) {
