@@ -85,7 +85,7 @@ PlaneExtraction::compute (const OrganizedPoints& points,
   start = std::chrono::steady_clock::now();
   joinParts();
   assign (points, selected);
-  finish (static_cast<std::size_t> (points.width));
+  finish (points);
   times_.refinement += secondsSince (start);
 }
 

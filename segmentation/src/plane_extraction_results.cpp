@@ -20,6 +20,11 @@ constexpr double min_error_if_curved = 0.45;
  * of the least share of near normals, this one is enough on them. */
 constexpr std::size_t part_of_large = 10;
 constexpr double enough_if_large = 0.5;
+/** Noise must leave the direction of a plane certain to so many radians; in images of so few rows
+ * or columns to less, for there, where some points in a line fit a plane by chance, these alone
+ * seem certain of it. */
+constexpr double max_error = 0.5, max_error_in_few_rows = 0.04;
+constexpr int few_rows = 4;
 
 } // namespace
 
@@ -56,7 +61,7 @@ PlaneExtraction::isLarge (const PlaneMoments& points) const
 
 /** Drops planes that too few points determine, sorts the others, and fits them. */
 void
-PlaneExtraction::finish (std::size_t width)
+PlaneExtraction::finish (const OrganizedPoints& points)
 {
   const auto& sums = assignment_.moments();
   order_.resize (sums.size());
@@ -68,11 +73,14 @@ PlaneExtraction::finish (std::size_t width)
     order_.erase (end, order_.end());
     return dropped;
   };
+  const double error = std::min (points.width, points.height) > few_rows
+                           ? max_error
+                           : max_error_in_few_rows;
   // What StepSplit joined to another plane is left without points.
   dropWhere ([&] (std::uint32_t k) { return moments_[k].points == 0; });
   rejections_.too_few_points += dropWhere ([&] (std::uint32_t k) {
     return sums[k].points < min_points ||
-           !assignment_.weightedMoments()[k].determinePlane();
+           !assignment_.weightedMoments()[k].determinePlane (error);
   });
   rejections_.curved += dropWhere ([&] (std::uint32_t k) {
     return isPatch (k) || sums[k].curvature() > parameters_.maximum_curvature;
@@ -93,7 +101,7 @@ PlaneExtraction::finish (std::size_t width)
     moments_.push_back (sums[k]);
     parameter_covariances_.push_back (parameterCovariance (weighted, m));
   }
-  runs_.find (assignment_.labels(), width, numbers_);
+  runs_.find (assignment_.labels(), static_cast<std::size_t> (points.width), numbers_);
 }
 
 } // namespace rgbd_planes

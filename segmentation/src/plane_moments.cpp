@@ -44,16 +44,16 @@ PlaneMoments::inverseDistance() const
 }
 
 bool
-PlaneMoments::determinePlane() const
+PlaneMoments::determinePlane (double max_error) const
 {
-  constexpr double max_relative_error = 0.5, least_ratio = 1e-12;
+  constexpr double least_ratio = 1e-12;
   const Eigen::Vector3d m = inverseDistance();
   // The covariance of m is the inverse of the second moments.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (second(),
                                                                Eigen::EigenvaluesOnly);
   const double least = solver.eigenvalues()[0];
   return least > least_ratio * solver.eigenvalues()[2] &&
-         least * m.squaredNorm() * max_relative_error * max_relative_error > 1.;
+         least * m.squaredNorm() * max_error * max_error > 1.;
 }
 
 double

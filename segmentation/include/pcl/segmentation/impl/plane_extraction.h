@@ -167,7 +167,7 @@ private:
   isLarge (const PlaneMoments& points) const;
 
   void
-  finish (std::size_t width);
+  finish (const OrganizedPoints& points);
 
   PlaneExtractionParameters parameters_;
   float max_sigmas_ = 0.f;

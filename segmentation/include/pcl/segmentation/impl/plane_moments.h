@@ -139,10 +139,10 @@ struct PCL_RGBD_PLANES_EXPORTS PlaneMoments {
   Eigen::Vector3d
   inverseDistance () const;
 
-  /** \brief Whether noise leaves the direction of the best plane certain to half a radian in the
-   * standard deviation; points in a line do not. */
+  /** \brief Whether noise leaves the direction of the best plane certain to \a max_error radians
+   * in the standard deviation; points in a line do not. */
   bool
-  determinePlane () const;
+  determinePlane (double max_error) const;
 
   /** \brief The weighted sum of the squares of m * p - 1. */
   double
