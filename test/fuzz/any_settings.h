@@ -34,14 +34,19 @@ anyPose (FuzzedDataProvider& data)
 inline pcl::rgbd_planes::DepthNoise
 anyNoise (FuzzedDataProvider& data)
 {
-  return {anyFloat (data), anyFloat (data), anyFloat (data)};
+  return {anyFloat (data),
+          anyFloat (data),
+          anyFloat (data),
+          data.ConsumeBool(),
+          data.ConsumeFloatingPointInRange (1.f, 5.f)};
 }
 
-inline void
+template <typename PointInT, typename PointOutT>
+void
 setAny (FuzzedDataProvider& data,
-        pcl::IntegralImageTangentNormalEstimation<PointXYZ, pcl::Normal>& estimation)
+        pcl::IntegralImageTangentNormalEstimation<PointInT, PointOutT>& estimation)
 {
-  using Estimation = pcl::IntegralImageTangentNormalEstimation<PointXYZ, pcl::Normal>;
+  using Estimation = pcl::IntegralImageTangentNormalEstimation<PointInT, PointOutT>;
   estimation.setNumberOfThreads (data.ConsumeIntegralInRange (0, 3));
   estimation.setDepthDependentSmoothing (data.ConsumeBool());
   estimation.setEdgeAware (data.ConsumeBool());

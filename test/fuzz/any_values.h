@@ -8,6 +8,7 @@
 
 #include <pcl/pcl_base.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
@@ -51,25 +52,36 @@ anyFloat (FuzzedDataProvider& data)
   }
 }
 
-/** Up to 64 x 64 pixels, or a few wide rows, none at all as well. */
+/** Up to 64 x 64 pixels, none at all as well, or a few wide rows, or an image whose normals are
+ * computed on 2 x 2 pixels. */
 inline synthetic::Cloud::Ptr
 anyCloud (FuzzedDataProvider& data)
 {
   int width = data.ConsumeIntegralInRange (0, 64);
   int height = data.ConsumeIntegralInRange (0, 64);
-  if (data.ConsumeIntegralInRange (0, 9) == 0) {
+  switch (data.ConsumeIntegralInRange (0, 9)) {
+  case 0:
     width += 470;
     height /= 8;
+    break;
+  case 1:
+    width += 470;
+    height += 80;
+    break;
+  case 2:
+    width += 80;
+    height += 470;
   }
+  const int scale = std::max (width, height) / 64 + 1;
   std::vector<synthetic::Surface> surfaces;
   for (int n = data.ConsumeIntegralInRange (0, 5); n > 0; --n) {
     surfaces.push_back (
         synthetic::tiltedPlane (data.ConsumeFloatingPointInRange (0.3f, 8.f),
                                 data.ConsumeFloatingPointInRange (-90.f, 90.f),
                                 data.ConsumeFloatingPointInRange (-60.f, 60.f)));
-    const int left = data.ConsumeIntegralInRange (0, 64);
-    const int top = data.ConsumeIntegralInRange (0, 64);
-    const int side = data.ConsumeIntegralInRange (1, 64);
+    const int left = scale * data.ConsumeIntegralInRange (0, 64);
+    const int top = scale * data.ConsumeIntegralInRange (0, 64);
+    const int side = scale * data.ConsumeIntegralInRange (1, 64);
     if (n > 1) // the last one is a background
       surfaces.back().covers = [=] (int u, int v) {
         return u >= left && u < left + side && v >= top && v < top + side;

@@ -5,13 +5,12 @@
 // them: with inputs, indices and settings of any kind, set in any order.
 
 #include "any_settings.h"
+#include "checked_normals.h"
+#include "fuzzed_filters.h"
 
-#include <pcl/common/point_tests.h>
+#include <pcl/common/transforms.h>
 #include <pcl/console/print.h>
 #include <pcl/features/impl/input_faults.h>
-#include <pcl/filters/depth_warp_correction.h>
-#include <pcl/filters/obstacle_filter.h>
-#include <pcl/filters/project_onto_planes.h>
 #include <pcl/segmentation/depth_noise_estimation.h>
 #include <pcl/segmentation/plane_tracker.h>
 
@@ -21,8 +20,6 @@
 #include <limits>
 
 using namespace fuzz;
-using Normals = pcl::PointCloud<pcl::Normal>;
-using Labels = pcl::PointCloud<pcl::Label>;
 
 namespace {
 
@@ -49,7 +46,7 @@ public:
     const auto todo =
         data_.PickValueInArray ({&Pipeline::takeCloud,
                                  &Pipeline::takeIndices,
-                                 &Pipeline::change<&Pipeline::estimation_>,
+                                 &Pipeline::changeEstimation,
                                  &Pipeline::change<&Pipeline::two_run_estimation_>,
                                  &Pipeline::change<&Pipeline::segmentation_>,
                                  &Pipeline::change<&Pipeline::extraction_>,
@@ -74,8 +71,19 @@ private:
   {
     cloud_ = data_.ConsumeIntegralInRange (0, 30) == 0 ? nullptr : anyCloud (data_);
     indices_.reset();
-    if (cloud_)
-      cloud_->sensor_origin_[0] = anyFloat (data_);
+    if (!cloud_)
+      return;
+    switch (data_.ConsumeIntegralInRange (0, 15)) {
+    case 13: // in the frame of a robot, or of a laser scanner
+      pcl::transformPointCloud (*cloud_, *cloud_, anyPose (data_));
+      break;
+    case 14: // no camera sees such an image
+      std::rotate (
+          cloud_->begin(), cloud_->begin() + cloud_->size() / 3, cloud_->end());
+      break;
+    case 15:
+      cloud_->sensor_origin_[data_.ConsumeIntegralInRange (0, 2)] = anyFloat (data_);
+    }
   }
 
   void
@@ -85,6 +93,12 @@ private:
     indices_ = anyIndices (data_, size);
     detection_.setExcludedIndices (data_.ConsumeBool() ? anyIndices (data_, size)
                                                        : nullptr);
+  }
+
+  void
+  changeEstimation ()
+  {
+    estimation_.change (data_);
   }
 
   template <auto tool>
@@ -128,26 +142,12 @@ private:
     filter();
   }
 
-  template <typename Estimation>
-  void
-  estimate (Estimation& estimation)
-  {
-    estimation.setIndices (indices_);
-    estimation.setInputCloud (cloud_);
-    estimation.compute (*normals_);
-    for (const auto& n : *normals_) {
-      const bool is_valid = pcl::isNormalFinite (n);
-      expect (is_valid ? std::fabs (n.getNormalVector3fMap().norm() - 1.f) < 1e-3f
-                       : std::isnan (n.normal_x) && std::isnan (n.normal_y) &&
-                             std::isnan (n.normal_z) && std::isnan (n.curvature));
-      expect (is_valid || !normals_->is_dense);
-    }
-  }
-
   void
   estimateNormals ()
   {
-    estimate (estimation_);
+    estimation_.compute (cloud_, indices_, *normals_);
+    if (cloud_)
+      expectSpherical (*cloud_, *normals_);
   }
 
   void
@@ -155,8 +155,12 @@ private:
   {
     // With a large radius, all points are neighbours of all.
     constexpr std::size_t most_points = 300;
-    if (!cloud_ || cloud_->size() <= most_points)
-      estimate (two_run_estimation_);
+    if (cloud_ && cloud_->size() > most_points)
+      return;
+    two_run_estimation_.setIndices (indices_);
+    two_run_estimation_.setInputCloud (cloud_);
+    two_run_estimation_.compute (*normals_);
+    expectNormals (*normals_);
   }
 
   template <typename Segmentation>
@@ -187,7 +191,7 @@ private:
       for (const auto i : inliers_[k].indices)
         plane_of[static_cast<std::size_t> (i)] = static_cast<std::uint32_t> (k);
       expect (values.size() == 4 && std::isfinite (values[3]));
-      expect (values[3] >= 0.f || cloud_->sensor_origin_[0] != 0.f);
+      expect (values[3] >= 0.f || !cloud_->sensor_origin_.head<3>().isZero (0.f));
       expect (std::fabs (std::hypot (values[0], values[1], values[2]) - 1.f) < 1e-3f);
     }
     for (std::size_t i = 0; i < plane_of.size(); ++i)
@@ -197,6 +201,10 @@ private:
         expect (plane_of.at (static_cast<std::size_t> (i)) == k);
     for (const auto& part : parts)
       expectIndices (part.indices, labels_->size());
+    expect (segmentation_.getRms().size() == planes_.size());
+    expect (segmentation_.getParameterCovariances().size() == planes_.size());
+    for (const auto& covariance : segmentation_.getParameterCovariances())
+      expect (covariance.allFinite());
   }
 
   void
@@ -249,50 +257,10 @@ private:
       expect (range >= 0.f || range == -std::numeric_limits<float>::infinity());
   }
 
-  template <typename Filter>
-  void
-  apply (Filter& filter)
-  {
-    filter.setInputCloud (cloud_);
-    filter.setIndices (indices_);
-    synthetic::Cloud output;
-    filter.filter (output);
-    const std::size_t most = indices_ ? indices_->size() : 0;
-    expect (output.size() <= (cloud_ ? std::max (cloud_->size(), most) : 0));
-  }
-
   void
   filter ()
   {
-    obstacle_filter_.setClasses (classes_);
-    obstacle_filter_.setNegative (data_.ConsumeBool());
-    obstacle_filter_.setKeepOrganized (data_.ConsumeBool());
-    obstacle_filter_.setUserFilterValue (anyFloat (data_));
-    apply (obstacle_filter_);
-    to_base_.setTransform (anyPose (data_));
-    pcl::ModelCoefficients floor;
-    if (!planes_.empty())
-      floor = planes_.front();
-    to_base_.estimateFromFloor (floor);
-    apply (to_base_);
-    projection_.setMaxRayFactor (anyFloat (data_));
-    if (data_.ConsumeBool())
-      projection_.setInputPlanes (planes_, inliers_);
-    else
-      projection_.setInputPlanes (planes_, labels_);
-    apply (projection_);
-    correction_.setDepthNoise (anyNoise (data_));
-    if (data_.ConsumeBool())
-      correction_.clearFrames();
-    correction_.setRightAngles (data_.ConsumeBool());
-    correction_.addFrame (cloud_, planes_, inliers_);
-    apply (correction_);
-    auto warp = correction_.getWarp();
-    if (warp.empty() || data_.ConsumeBool())
-      return;
-    warp.front().intensity = anyFloat (data_);
-    correction_.setWarp (warp);
-    apply (correction_);
+    filters_.applyAll (data_, {cloud_, indices_, planes_, inliers_, labels_, classes_});
   }
 
   FuzzedDataProvider& data_;
@@ -303,17 +271,14 @@ private:
   Labels::Ptr classes_ = pcl::make_shared<Labels>();
   std::vector<pcl::ModelCoefficients> planes_;
   std::vector<pcl::PointIndices> inliers_;
-  pcl::IntegralImageTangentNormalEstimation<PointXYZ, pcl::Normal> estimation_;
+  CheckedNormals estimation_;
   pcl::TwoRunNormalEstimation<PointXYZ, pcl::Normal> two_run_estimation_;
   pcl::NormalSpacePlaneSegmentation<PointXYZ, pcl::Normal> segmentation_;
   pcl::SupportedObjectExtraction<PointXYZ, pcl::Normal> extraction_;
   pcl::ObstacleDetection<PointXYZ, pcl::Normal> detection_;
   pcl::PlaneTracker tracker_;
   pcl::DepthNoiseEstimation noise_estimation_;
-  pcl::ObstacleFilter<PointXYZ> obstacle_filter_;
-  pcl::CameraToBase<PointXYZ> to_base_;
-  pcl::ProjectOntoPlanes<PointXYZ> projection_;
-  pcl::DepthWarpCorrection<PointXYZ> correction_;
+  Filters filters_;
 };
 
 } // namespace
