@@ -8,7 +8,7 @@
 namespace pcl {
 namespace rgbd_planes {
 
-/** \brief Why candidates did not become planes: how many in the last frame. Candidates have 15 %
+/** \brief Why candidates did not become planes: how many in the last frame. Candidates have 20 %
  * of the smallest number of inliers, or more. What is left over is tried twice, so that a surface
  * may be two candidates. */
 struct PlaneRejections {

@@ -39,8 +39,8 @@ struct PlaneAdditions {
   /** Planes beside which a surface goes on, and turns, are dropped, and those to which
    * most normals of their points do not belong. */
   bool patches = true;
-  /** Each point gets the nearest plane of those around it; without, that of the
-   * sample in its cell. */
+  /** Each point gets the nearest plane of those around it, but for the foot of what stands on
+   * one; without, that of the sample in its cell. */
   bool assignment = true;
   /** Where two planes meet, points on both go to the one on their side of the line of
    * intersection. */
