@@ -52,8 +52,7 @@ struct Heights {
            const ObstaclePointParameters& parameters)
   {
     measured = isUsable (squared_range, farthest);
-    height = hn::Add (dot (PlaneEquation{floor[0], floor[1], floor[2], 0.f}, p),
-                      set (floor[3]));
+    height = signedDistance ({floor[0], floor[1], floor[2], floor[3]}, p);
     const V scaled_sigma = hn::Mul (set (floor[3]), sigma);
     variance_at_1m = hn::Mul (scaled_sigma, scaled_sigma);
     const V square = hn::Mul (hn::Mul (height, height), squared_range);

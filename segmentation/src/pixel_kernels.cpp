@@ -131,7 +131,7 @@ unlabelledInFrontHere (const PointBlock& points,
     const Points p = load (points, i);
     const Mask open = hn::And (isUsable (squaredLength (p), set (max_squared_range)),
                                areLabel (labels + i, unlabelled));
-    const Mask in_front = hn::Gt (dot (plane, p), set (-plane.d));
+    const Mask in_front = hn::Gt (signedDistance (plane, p), hn::Zero (Floats()));
     const auto count = [] (Mask mask) HWY_ATTR {
       return static_cast<std::ptrdiff_t> (hn::CountTrue (Floats(), mask));
     };
@@ -150,7 +150,8 @@ leaveFootPointsHere (const PointBlock& points,
 {
   for (std::size_t i = 0; i < points.size; i += hn::Lanes (Floats())) {
     const Reach reach = reachOf (load (points, i), tolerance);
-    const Mask in_front = hn::Gt (dot (equation, reach.points), set (-equation.d));
+    const Mask in_front =
+        hn::Gt (signedDistance (equation, reach.points), hn::Zero (Floats()));
     const Mask stays = hn::Or (isWithin (reach, equation),
                                agreeWith (plane, hn::LoadU (Ints(), samples + i)));
     const Mask is_foot =

@@ -90,6 +90,13 @@ dot (const PlaneEquation& plane, const Points& p)
                      hn::MulAdd (set (plane.y), p.y, hn::Mul (set (plane.z), p.z)));
 }
 
+/** How far points are in front of a plane; negative behind it. */
+HWY_INLINE V
+signedDistance (const PlaneEquation& plane, const Points& p)
+{
+  return hn::Add (dot (plane, p), set (plane.d));
+}
+
 HWY_INLINE V
 squaredLength (const Points& p)
 {
@@ -112,7 +119,7 @@ struct RayOffset {
 HWY_INLINE RayOffset
 rayOffset (const PlaneEquation& plane, const Points& p, V range)
 {
-  return {hn::Abs (hn::Add (dot (plane, p), set (plane.d))),
+  return {hn::Abs (signedDistance (plane, p)),
           hn::Max (set (plane.d), hn::Mul (range, set (min_view_cosine)))};
 }
 

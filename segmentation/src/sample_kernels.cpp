@@ -88,7 +88,7 @@ claimTileHere (const PlaneSamples& samples,
 {
   std::size_t number = 0;
   forEachVectorFrom (tile * PlaneSamples::tile_size, [&] (std::size_t i) {
-    const V distance = hn::Add (dot (plane, pointsAt (samples, i)), set (plane.d));
+    const V distance = signedDistance (plane, pointsAt (samples, i));
     const V cosine = dot (plane, normalsAt (samples, i));
     const V reach = hn::Max (hn::Mul (load (&samples.relative_sigma[i]), set (plane.d)),
                              hn::Mul (load (&samples.sigma[i]), set (min_view_cosine)));

@@ -28,8 +28,7 @@ struct Motion {
   static HWY_INLINE V
   valueAt (const Eigen::Vector4f& plane, const Points& p)
   {
-    return hn::Add (dot (PlaneEquation{plane[0], plane[1], plane[2], 0.f}, p),
-                    set (plane[3]));
+    return signedDistance ({plane[0], plane[1], plane[2], plane[3]}, p);
   }
 
   HWY_INLINE Points
