@@ -30,6 +30,18 @@ expectNormals (const Normals& normals)
   }
 }
 
+template <typename Estimation, typename CloudPtr, typename Output>
+void
+estimate (Estimation& estimation,
+          const CloudPtr& cloud,
+          const pcl::IndicesPtr& indices,
+          Output& normals)
+{
+  estimation.setIndices (indices);
+  estimation.setInputCloud (cloud);
+  estimation.compute (normals);
+}
+
 /** Angles stay in their ranges, whatever the normals are. */
 inline void
 expectSpherical (const synthetic::Cloud& cloud, const Normals& normals)
@@ -63,9 +75,7 @@ public:
            const pcl::IndicesPtr& indices,
            Normals& normals)
   {
-    estimation_.setIndices (indices);
-    estimation_.setInputCloud (cloud);
-    estimation_.compute (normals);
+    estimate (estimation_, cloud, indices, normals);
     expectNormals (normals);
     if (!cloud || normals.empty())
       return;
@@ -74,10 +84,8 @@ public:
     pcl::copyPointCloud (*cloud, *points);
     auto estimation = unused_;
     estimation.setNumberOfThreads (4);
-    estimation.setIndices (indices);
-    estimation.setInputCloud (points);
     pcl::PointCloud<Point> others;
-    estimation.compute (others);
+    estimate (estimation, points, indices, others);
     expect (others.size() == normals.size() && others.is_dense == normals.is_dense);
     for (std::size_t i = 0; i < others.size(); ++i)
       expect (
@@ -92,5 +100,11 @@ private:
   pcl::IntegralImageTangentNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation_;
   pcl::IntegralImageTangentNormalEstimation<Point, Point> unused_;
 };
+
+inline void
+setAny (FuzzedDataProvider& data, CheckedNormals& estimation)
+{
+  estimation.change (data);
+}
 
 } // namespace fuzz

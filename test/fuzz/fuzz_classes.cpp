@@ -46,7 +46,7 @@ public:
     const auto todo =
         data_.PickValueInArray ({&Pipeline::takeCloud,
                                  &Pipeline::takeIndices,
-                                 &Pipeline::changeEstimation,
+                                 &Pipeline::change<&Pipeline::estimation_>,
                                  &Pipeline::change<&Pipeline::two_run_estimation_>,
                                  &Pipeline::change<&Pipeline::segmentation_>,
                                  &Pipeline::change<&Pipeline::extraction_>,
@@ -93,12 +93,6 @@ private:
     indices_ = anyIndices (data_, size);
     detection_.setExcludedIndices (data_.ConsumeBool() ? anyIndices (data_, size)
                                                        : nullptr);
-  }
-
-  void
-  changeEstimation ()
-  {
-    estimation_.change (data_);
   }
 
   template <auto tool>
@@ -157,9 +151,7 @@ private:
     constexpr std::size_t most_points = 300;
     if (cloud_ && cloud_->size() > most_points)
       return;
-    two_run_estimation_.setIndices (indices_);
-    two_run_estimation_.setInputCloud (cloud_);
-    two_run_estimation_.compute (*normals_);
+    estimate (two_run_estimation_, cloud_, indices_, *normals_);
     expectNormals (*normals_);
   }
 
