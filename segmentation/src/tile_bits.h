@@ -5,7 +5,6 @@
 
 #include <pcl/segmentation/impl/plane_samples.h>
 
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -32,10 +31,15 @@ samplesWhere (const Value* values, const IsOne& is_one)
                                      words[1] * to_highest_byte >> 56 << 8);
 }
 
+/** Their number. Not all processors have an instruction for it, and compilers call a function
+ * instead. */
 inline std::size_t
 count (unsigned samples)
 {
-  return std::bitset<PlaneSamples::tile_size> (samples).count();
+  const unsigned of_two = samples - (samples >> 1 & 0x5555u);
+  const unsigned of_four = (of_two & 0x3333u) + (of_two >> 2 & 0x3333u);
+  const unsigned of_byte = (of_four + (of_four >> 4)) & 0x0f0fu;
+  return (of_byte + (of_byte >> 8)) & 0x1fu;
 }
 
 /** \a samples moved to each side; what would leave the tile is lost. */
