@@ -6,6 +6,7 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
+#include "each_bit.h"
 #include "sample_vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,13 +60,10 @@ judgeSamplesHere (PlaneSamples& samples, const DepthNoise& noise, float max_curv
     const V curvature = load (&samples.curvature[i]);
     const Mask is_seed =
         hn::AndNot (hn::Gt (curvature, set (max_curvature)), has_normal);
-    // Compressing straight into memory is slow on some processors.
-    const hn::RebindToUnsigned<Floats> indices;
-    hn::StoreU (hn::Compress (hn::Iota (indices, static_cast<std::uint32_t> (i)),
-                              hn::RebindMask (indices, is_seed)),
-                indices,
-                &samples.seeds[seeds]);
-    seeds += hn::CountTrue (Floats(), is_seed);
+    // Compressing vectors is slow on some processors.
+    forEachBit (bitsOf (is_seed), [&] (std::size_t lane) {
+      samples.seeds[seeds++] = static_cast<std::uint32_t> (i + lane);
+    });
     const Mask is_trusted = hn::AndNot (
         hn::Gt (curvature, set (trusted_share * max_curvature)), has_normal);
     const V degrees = hn::Min (hn::MulAdd (range,

@@ -6,8 +6,9 @@
 #include "simd_targets.h"
 #include <hwy/foreach_target.h>
 // After foreach_target.h, which includes this file once for each set of instructions.
+#include "each_bit.h"
+#include "plane_vectors-inl.h"
 #include "step_kernels.h"
-#include "vectors-inl.h"
 
 #include <cstdint>
 
@@ -73,20 +74,15 @@ std::size_t
 findPeaksHere (
     const float* jumps, std::size_t begin, std::size_t end, float least, int* peaks)
 {
-  const hn::Rebind<std::int32_t, Floats> ints;
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; i += hn::Lanes (Floats())) {
     const V jump = hn::Abs (load (jumps + i));
     const Mask is_peak =
         hn::And (hn::Ge (jump, hn::Max (set (least), hn::Abs (load (jumps + i - 1)))),
                  hn::Gt (jump, hn::Abs (load (jumps + i + 1))));
-    // Most vectors hold none, and compressing is slow on some processors.
-    if (hn::AllFalse (Floats(), is_peak))
-      continue;
-    count += hn::CompressStore (hn::Iota (ints, static_cast<int> (i)),
-                                hn::RebindMask (ints, is_peak),
-                                ints,
-                                peaks + count);
+    forEachBit (bitsOf (Floats(), is_peak), [&] (std::size_t lane) {
+      peaks[count++] = static_cast<int> (i + lane);
+    });
   }
   return count;
 }
@@ -100,7 +96,6 @@ findLinesHere (const float* jumps,
                const LineLimits& limits,
                int* lines)
 {
-  const hn::Rebind<std::int32_t, Floats> ints;
   const auto lanes = static_cast<int> (hn::Lanes (Floats()));
   std::size_t count = 0;
   for (int first = 0; first < static_cast<int> (votes.size()); first += lanes) {
@@ -128,10 +123,9 @@ findLinesHere (const float* jumps,
     const Mask is_line =
         hn::And (hn::And (is_voted, hn::Ge (places, set (limits.min_places))),
                  hn::Ge (hn::Abs (sum), hn::Mul (set (limits.min_jump), places)));
-    if (hn::AllFalse (Floats(), is_line))
-      continue;
-    count += hn::CompressStore (
-        hn::Iota (ints, first), hn::RebindMask (ints, is_line), ints, lines + count);
+    forEachBit (bitsOf (Floats(), is_line), [&] (std::size_t lane) {
+      lines[count++] = first + static_cast<int> (lane);
+    });
   }
   return count;
 }
