@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the pcl_rgbd_planes authors
 
+#include "each_bit.h"
+
 #include <pcl/segmentation/impl/step_split.h>
 
 #include <algorithm>
@@ -152,21 +154,16 @@ StepSplit::collect (const PlaneSamples& samples,
   for (const TilePart& part : parts) {
     if (part.plane != plane)
       continue;
-    const std::size_t begin = part.tile * PlaneSamples::tile_size;
-    const int tile = static_cast<int> (part.tile);
-    const int left = tile % samples.tiles_u * PlaneSamples::tile_side;
-    const int top = tile / samples.tiles_u * PlaneSamples::tile_side;
-    for (int k = 0; k < static_cast<int> (PlaneSamples::tile_size); ++k) {
-      if (!(part.own >> k & 1u))
-        continue;
-      const std::size_t i = begin + static_cast<std::size_t> (k);
+    forEachBit (part.own, [&] (std::size_t bit) {
+      const std::size_t i = part.tile * PlaneSamples::tile_size + bit;
+      const auto [u, v] = samples.placeOf (i);
       const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
       errors_.push_back (
-          {left + k % PlaneSamples::tile_side,
-           top + k / PlaneSamples::tile_side,
+          {u,
+           v,
            (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]) / unit,
            static_cast<std::uint32_t> (i)});
-    }
+    });
   }
 }
 
