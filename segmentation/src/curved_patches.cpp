@@ -109,7 +109,7 @@ CurvedPatches::countBorders (const PlaneSamples& samples,
 {
   borders_.assign (planes.size(), {});
   for (const TilePart& part : parts) {
-    const unsigned beside = dilate (part.own) & ~part.own & 0xffffu;
+    const unsigned beside = dilate (part.own) & ~part.own;
     if (beside == 0)
       continue;
     const SamplesAtPlane at =

@@ -51,7 +51,7 @@ sumNormalsHere (const PlaneSamples& samples,
     sums[10 + k] = total (normals[k]);
 }
 
-std::uint16_t
+unsigned
 compatibleSamplesHere (const PlaneSamples& samples,
                        std::size_t begin,
                        const PlaneEquation& plane,
@@ -64,7 +64,7 @@ compatibleSamplesHere (const PlaneSamples& samples,
                                 hn::Min (load (&samples.min_cosine[i]), set (enough)));
     bits |= bitsOf (agrees) << (i - begin);
   });
-  return static_cast<std::uint16_t> (bits);
+  return bits;
 }
 
 NormalsAtPlane
@@ -90,7 +90,7 @@ normalsAtPlaneHere (const PlaneSamples& samples,
     near |= bitsOf (hn::And (has_normal, hn::Ge (cosine, cosineOf (tilt))))
             << (i - begin);
   });
-  return {static_cast<std::uint16_t> (known), static_cast<std::uint16_t> (near)};
+  return {known, near};
 }
 
 } // namespace HWY_NAMESPACE
@@ -116,7 +116,7 @@ sumNormals (const PlaneSamples& samples,
   HWY_DYNAMIC_DISPATCH (sumNormalsHere) (samples, tiles, claimed, reference, sums);
 }
 
-std::uint16_t
+unsigned
 compatibleSamples (const PlaneSamples& samples,
                    std::size_t begin,
                    const PlaneEquation& plane,

@@ -59,8 +59,7 @@ PlaneAssignment::keepOwners (const std::vector<std::int32_t>& owners)
         [plane] (const TilePlane& known) { return known.number == plane; });
     if (candidate == candidates_.end())
       candidate = candidates_.insert (candidate, {plane, 0});
-    candidate->compatible =
-        static_cast<std::uint16_t> (candidate->compatible | 1u << sample);
+    candidate->compatible |= 1u << sample;
   }
   first_candidate_.push_back (candidates_.size());
 }
@@ -89,7 +88,7 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
                                  std::size_t tile)
 {
   const std::size_t first = candidates_.size(), begin = tile * PlaneSamples::tile_size;
-  const std::uint16_t on_none =
+  const unsigned on_none =
       samplesWhere (&owners[begin], [] (std::int32_t owner) { return owner < 0; });
   samples.forEachRowAround (tile, [&] (std::size_t left, std::size_t end) {
     for (std::size_t k = first_present_[left]; k < first_present_[end]; ++k) {
@@ -101,7 +100,7 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
                        candidates_.end(),
                        is_known))
         continue;
-      const std::uint16_t agree =
+      const unsigned agree =
           compatibleSamples (samples, begin, equations_[plane], max_min_cosine);
       // A crease may run between a sample and its pixels...
       unsigned compatible = dilate (agree);
@@ -110,17 +109,16 @@ PlaneAssignment::findCandidates (const PlaneSamples& samples,
         compatible &=
             ~on_none |
             compatibleSamples (samples, begin, equations_[plane], other_surface_cosine);
-      candidates_.push_back ({plane, static_cast<std::uint16_t> (compatible)});
+      candidates_.push_back ({plane, compatible});
     }
   });
   if (on_none == 0)
     return;
-  const std::uint16_t curved = samplesWhere (&owners[begin], [] (std::int32_t owner) {
+  const unsigned curved = samplesWhere (&owners[begin], [] (std::int32_t owner) {
     return owner == PlaneGrowth::curved_surface;
   });
   for (std::size_t k = first; k < candidates_.size(); ++k)
-    candidates_[k].compatible =
-        static_cast<std::uint16_t> (candidates_[k].compatible & ~curved);
+    candidates_[k].compatible &= ~curved;
 }
 
 } // namespace rgbd_planes

@@ -48,11 +48,8 @@ claimTile (const PlaneSamples& samples,
 /** Marks the free samples of \a tile that are of \a own, likewise.
  * \return these samples
  */
-std::uint16_t
-claimPart (const PlaneSamples& samples,
-           std::size_t tile,
-           std::uint16_t own,
-           float* claimed);
+unsigned
+claimPart (const PlaneSamples& samples, std::size_t tile, unsigned own, float* claimed);
 
 /** Gives the claimed samples of \a tile to \a owner: they are no longer free. */
 void
@@ -82,7 +79,7 @@ sumNormals (const PlaneSamples& samples,
 
 /** For each sample of the tile that begins with sample \a begin, a bit: the cosine between
  * its normal and that of the plane is large enough, or at least \a enough. */
-std::uint16_t
+unsigned
 compatibleSamples (const PlaneSamples& samples,
                    std::size_t begin,
                    const PlaneEquation& plane,
@@ -91,7 +88,7 @@ compatibleSamples (const PlaneSamples& samples,
 /** For each sample of a tile, a bit: it has a normal, trusted or not; this is as near to
  * that of a plane as on most points of a flat surface. */
 struct NormalsAtPlane {
-  std::uint16_t known = 0, near = 0;
+  unsigned known = 0, near = 0;
 };
 
 /** Looks at the tile that begins with sample \a begin, where normals scatter so many times
@@ -105,7 +102,7 @@ normalsAtPlane (const PlaneSamples& samples,
 /** For each sample of a tile, a bit: it lies near a plane; its trusted normal is nearly that
  * of the plane. */
 struct SamplesAtPlane {
-  std::uint16_t near = 0, along = 0;
+  unsigned near = 0, along = 0;
 };
 
 /** Looks at the tile that begins with sample \a begin, at the free samples and at the others.

@@ -86,8 +86,7 @@ PlaneGrowth::fitSeed (const PlaneSamples& samples,
     unsigned own = 0;
     for (; part != seed.last && part->tile == tile; ++part)
       own |= part->own;
-    const std::uint16_t claimed =
-        claimPart (samples, tile, static_cast<std::uint16_t> (own), claimed_.data());
+    const unsigned claimed = claimPart (samples, tile, own, claimed_.data());
     if (claimed == 0)
       continue;
     if (number == 0) {
@@ -110,7 +109,7 @@ PlaneGrowth::sumSeed (const PlaneSamples& samples, std::size_t number)
   return moments;
 }
 
-std::uint16_t
+unsigned
 PlaneGrowth::claimsIn (std::uint32_t tile) const
 {
   return samplesWhere (&claimed_[tile * PlaneSamples::tile_size],

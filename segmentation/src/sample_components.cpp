@@ -15,13 +15,13 @@ namespace {
 constexpr std::uint32_t nowhere = 0xffffffff;
 
 /** The samples of \a own that hang together with its first one. */
-std::uint16_t
-firstPiece (std::uint16_t own)
+unsigned
+firstPiece (unsigned own)
 {
-  auto piece = static_cast<std::uint16_t> (own & -own), before = std::uint16_t{0};
+  unsigned piece = own & -own, before = 0;
   while (piece != before) {
     before = piece;
-    piece = static_cast<std::uint16_t> (dilate (piece) & own);
+    piece = dilate (piece) & own;
   }
   return piece;
 }
@@ -36,9 +36,9 @@ SampleComponents::findPieces (const PlaneSamples& samples, bool connected)
   for (TilePart part : parts_) {
     first_of_tile_.resize (part.tile + 1, static_cast<std::uint32_t> (pieces_.size()));
     while (part.own != 0) {
-      const std::uint16_t piece = connected ? firstPiece (part.own) : part.own;
+      const unsigned piece = connected ? firstPiece (part.own) : part.own;
       pieces_.push_back ({part.plane, part.tile, piece});
-      part.own = static_cast<std::uint16_t> (part.own & ~piece);
+      part.own &= ~piece;
     }
   }
   first_of_tile_.resize (samples.tiles() + 1,

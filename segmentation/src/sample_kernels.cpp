@@ -100,10 +100,10 @@ claimTileHere (const PlaneSamples& samples,
   return static_cast<std::uint8_t> (number);
 }
 
-std::uint16_t
+unsigned
 claimPartHere (const PlaneSamples& samples,
                std::size_t tile,
-               std::uint16_t own,
+               unsigned own,
                float* claimed)
 {
   const std::size_t begin = tile * PlaneSamples::tile_size;
@@ -118,7 +118,7 @@ claimPartHere (const PlaneSamples& samples,
         hn::IfThenElseZero (on, load (&samples.weight[i])), Floats(), claimed + i);
     result |= bitsOf (on) << (i - begin);
   });
-  return static_cast<std::uint16_t> (result);
+  return result;
 }
 
 void
@@ -176,7 +176,7 @@ samplesAtPlaneHere (const PlaneSamples& samples,
                               hn::Ge (hn::Abs (cosine), set (least_cosine))))
              << (i - begin);
   });
-  return {static_cast<std::uint16_t> (near), static_cast<std::uint16_t> (along)};
+  return {near, along};
 }
 
 } // namespace HWY_NAMESPACE
@@ -212,11 +212,8 @@ claimTile (const PlaneSamples& samples,
       samples, tile, plane, max_sigmas, claimed);
 }
 
-std::uint16_t
-claimPart (const PlaneSamples& samples,
-           std::size_t tile,
-           std::uint16_t own,
-           float* claimed)
+unsigned
+claimPart (const PlaneSamples& samples, std::size_t tile, unsigned own, float* claimed)
 {
   return HWY_DYNAMIC_DISPATCH (claimPartHere) (samples, tile, own, claimed);
 }

@@ -17,7 +17,7 @@ namespace rgbd_planes {
 /** The samples for whose value \a is_one (value) is true: compilers make vectors of the loop,
  * and a product moves the lowest bits of eight bytes into the highest byte. */
 template <typename Value, typename IsOne>
-std::uint16_t
+unsigned
 samplesWhere (const Value* values, const IsOne& is_one)
 {
   std::uint8_t ones[PlaneSamples::tile_size];
@@ -27,8 +27,8 @@ samplesWhere (const Value* values, const IsOne& is_one)
   static_assert (sizeof words == sizeof ones);
   std::memcpy (words, ones, sizeof words);
   constexpr std::uint64_t to_highest_byte = 0x0102040810204080;
-  return static_cast<std::uint16_t> (words[0] * to_highest_byte >> 56 |
-                                     words[1] * to_highest_byte >> 56 << 8);
+  return static_cast<unsigned> (words[0] * to_highest_byte >> 56 |
+                                words[1] * to_highest_byte >> 56 << 8);
 }
 
 /** Their number. Not all processors have an instruction for it, and compilers call a function
@@ -58,13 +58,11 @@ movedSamples (unsigned samples)
 }
 
 /** \a samples and those beside them. */
-inline std::uint16_t
-dilate (std::uint16_t samples)
+inline unsigned
+dilate (unsigned samples)
 {
-  unsigned bits = samples;
-  bits |= movedSamples (bits).left | movedSamples (bits).right;
-  bits |= movedSamples (bits).up | movedSamples (bits).down;
-  return static_cast<std::uint16_t> (bits);
+  samples |= movedSamples (samples).left | movedSamples (samples).right;
+  return samples | movedSamples (samples).up | movedSamples (samples).down;
 }
 
 /** Of the tile to the left, and of the three above, the samples that touch others. */
@@ -73,11 +71,11 @@ struct TouchedSamples {
 };
 
 inline TouchedSamples
-samplesTouchedBy (std::uint16_t samples)
+samplesTouchedBy (unsigned samples)
 {
   constexpr unsigned first_column = 0x1111, first_row = 0xf;
-  const unsigned column = dilate (static_cast<std::uint16_t> (samples & first_column)),
-                 row = dilate (static_cast<std::uint16_t> (samples & first_row));
+  const unsigned column = dilate (samples & first_column),
+                 row = dilate (samples & first_row);
   return {(column & first_column) << 3,
           {(samples & 1u) << 15, (row & first_row) << 12, (samples & 8u) << 9}};
 }

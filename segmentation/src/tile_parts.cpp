@@ -45,7 +45,7 @@ findTilePartsHere (const std::vector<std::int32_t>& owners,
       if (tile[k] >= 0)
         parts.push_back ({static_cast<std::uint32_t> (tile[k]),
                           static_cast<std::uint32_t> (begin / PlaneSamples::tile_size),
-                          static_cast<std::uint16_t> (own)});
+                          own});
     }
   }
 }

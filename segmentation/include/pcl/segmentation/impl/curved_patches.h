@@ -79,7 +79,7 @@ private:
    * and the weights of its samples and those on which the surface goes on. */
   std::vector<std::uint32_t> tiles_;
   std::vector<std::uint8_t> is_listed_;
-  std::vector<std::uint16_t> own_;
+  std::vector<unsigned> own_;
   std::vector<float> weights_;
   /** Of planes beside which the surface goes on: how much both turn. */
   std::vector<double> turn_per_metre_;

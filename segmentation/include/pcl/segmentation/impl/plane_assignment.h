@@ -32,7 +32,7 @@ struct PlaneEquation {
 struct TilePlane {
   std::uint32_t number;
   /** For each sample of the tile, a bit: its normal agrees with that of the plane. */
-  std::uint16_t compatible;
+  unsigned compatible;
 };
 
 /** All of them, in a row. */

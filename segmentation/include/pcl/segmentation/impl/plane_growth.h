@@ -82,7 +82,7 @@ private:
   forEachClaim (std::uint32_t tile, const Visit& visit) const;
 
   /** A bit for each sample of a tile. */
-  std::uint16_t
+  unsigned
   claimsIn (std::uint32_t tile) const;
 
   PlaneMoments

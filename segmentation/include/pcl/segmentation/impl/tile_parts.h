@@ -13,8 +13,7 @@ namespace rgbd_planes {
 
 /** \brief The samples that a plane owns in a tile, a bit for each. */
 struct TilePart {
-  std::uint32_t plane, tile;
-  std::uint16_t own;
+  std::uint32_t plane, tile, own;
 };
 
 /** \brief Lists what planes own, tile after tile.
