@@ -158,11 +158,12 @@ StepSplit::collect (const PlaneSamples& samples,
       const std::size_t i = part.tile * PlaneSamples::tile_size + bit;
       const auto [u, v] = samples.placeOf (i);
       const Eigen::Vector3f p (samples.x[i], samples.y[i], samples.z[i]);
-      errors_.push_back (
-          {u,
-           v,
-           (plane_m.dot (p) - 1.f) * std::sqrt (samples.weight[i]) / unit,
-           static_cast<std::uint32_t> (i)});
+      // In place: copies of what was written in parts just before stall.
+      errors_.emplace_back() = {u,
+                                v,
+                                (plane_m.dot (p) - 1.f) *
+                                    std::sqrt (samples.weight[i]) / unit,
+                                static_cast<std::uint32_t> (i)};
     });
   }
 }
