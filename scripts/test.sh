@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # test.sh [--thorough]: installs what is missing, checks the format, builds with warnings as errors,
-# runs the tests; with --thorough also those with sanitizers, fuzzers, Valgrind and an emulated ARM
-# processor, and in a project that adds this one as a subdirectory: they take longer than all others.
+# runs the tests; with --thorough also those with sanitizers, fuzzers and Valgrind, and in a project
+# that adds this one as a subdirectory: they take longer than all others.
 # Recordings are taken from the folder PCL_RGBD_PLANES_DATA, or ../shared/data where it exists.
 set -euo pipefail
 case $* in

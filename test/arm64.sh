@@ -36,7 +36,8 @@ cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
 # Applications cannot start others in emulation: their tests are left out.
 mapfile -t tests < <(cd "$source/test" && ls {features,filters,segmentation}/test_*.cpp |
   sed 's|.*/||; s|\.cpp$||')
-cmake --build "$build" --target "${tests[@]}" | tail -n 1
+cmake --build "$build" --target "${tests[@]}" >"$build/build.log" 2>&1 ||
+  { grep -m 20 error "$build/build.log"; exit 1; }
 
 export OMP_WAIT_POLICY=passive PCL_RGBD_PLANES_SOAK_FRAMES=20
 printf '%s\n' "${tests[@]}" |

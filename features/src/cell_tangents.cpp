@@ -104,8 +104,10 @@ loadMeans (const float* points,
            CellRow row)
 {
   const V zero = hn::Zero (Floats()), one = set (1.f);
+  const Vectors none{zero, zero, zero};
   for (std::size_t i = 0; i < cells; i += hn::Lanes (Floats())) {
-    Vectors p[4];
+    // Without a value, GCC does not compile them for ARM.
+    Vectors p[] = {none, none, none, none};
     V ranges[4];
     for (const std::size_t v : {0, 1}) {
       const float* here = (v == 0 ? points : below) + 8 * i;
@@ -118,7 +120,7 @@ loadMeans (const float* points,
     const V nearest =
         hn::Min (hn::Min (ranges[0], ranges[1]), hn::Min (ranges[2], ranges[3]));
     const V squared_gate = squaredGate (nearest, sensor);
-    Vectors sum{zero, zero, zero};
+    Vectors sum = none;
     V range = zero, number = zero;
     for (std::size_t k = 0; k < 4; ++k) {
       const V change = hn::Sub (ranges[k], nearest);
